@@ -1,0 +1,1 @@
+"""The shipped domains: one folder of text each."""

@@ -1,0 +1,1 @@
+"""The mind: perception, focus, movements, actions, verification, explanation, collaboration."""

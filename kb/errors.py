@@ -1,0 +1,60 @@
+"""Every exception of the project: each is one sentence, with the place where there is one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a clause or a mistake stands: file, line and column (both from 1; 0 = unknown)."""
+
+    file: str = "<text>"
+    line: int = 0
+    column: int = 0
+
+    def __str__(self) -> str:
+        return ":".join(str(part) for part in (self.file, self.line, self.column) if part != 0)
+
+
+class CasperError(Exception):
+    """Something the user can mend; ``str()`` is the sentence a person is shown.
+
+    ``place`` says where (None when there is no text behind the mistake); ``sentence`` is the message without it.
+    """
+
+    def __init__(self, sentence: str, place: Place | None = None) -> None:
+        super().__init__(sentence if place is None else f"{place}: {sentence}")
+        self.sentence = sentence
+        self.place = place
+
+
+class DomainError(CasperError):
+    """A domain that cannot be loaded: an unknown name, a missing or unreadable file, a contradiction in it."""
+
+
+class ReadError(CasperError):
+    """Text that is not a clause of the language; ``excerpt`` shows the line with a caret under the mistake."""
+
+    def __init__(self, sentence: str, place: Place, excerpt: str = "") -> None:
+        super().__init__(sentence, place)
+        self.excerpt = excerpt
+
+    def __str__(self) -> str:
+        return super().__str__() + (f"\n{self.excerpt}" if self.excerpt else "")
+
+
+class ProgramError(CasperError):
+    """A program with no meaning: a predicate nobody defines, negation through recursion, an unsafe clause."""
+
+
+class PlanError(CasperError):
+    """A plan library with a mistake: an unknown action, a task without production, an empty plan."""
+
+
+class WorldStateError(CasperError):
+    """A world state that cannot be used: a missing or NaN coordinate, time running backwards."""
+
+
+class BudgetExceeded(CasperError):
+    """A search stopped at its budget: the answer is unknown, not no."""
