@@ -1,0 +1,312 @@
+"""The knowledge base: facts, rules and constraints, with everything one can ask of them.
+
+    >>> kb = KnowledgeBase.from_text("human(ann). agent(X) :- human(X).")
+    >>> kb.ask("agent(ann)"), list(kb.query("agent(X)"))
+    (True, [{'X': 'ann'}])
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TypeAlias
+
+from casper.kb.clauses import Clause, Directive, Literal, Sentence
+from casper.kb.errors import ProgramError
+from casper.kb.goals import Predicate
+from casper.kb.materialise import materialise
+from casper.kb.program import SYSTEM, Indicator, Program, analyse, check_defined, undefined_sentence
+from casper.kb.proof import Proof
+from casper.kb.reader import read_query, read_statement, read_text
+from casper.kb.relation import Relation, Row
+from casper.kb.solve import DEFAULT_BUDGET, Solver
+from casper.kb.terms import Compound, Term, Variable, as_term, is_ground, predication, substitute, unify
+from casper.kb.validity import Constraints, History, Verdict, constraints_of, valid_instances, verify
+from casper.kb.why import prove
+from casper.kb.why_not import Refusal, Violation, attempts
+from casper.kb.writer import program_text, term_text
+
+Statement: TypeAlias = str | tuple[Term, ...]  # text, or a Compound / a tuple that starts with the name
+_EMPTY: History = ()
+_statement_of_text = lru_cache(maxsize=4096)(read_statement)
+_query_of_text = lru_cache(maxsize=1024)(read_query)
+
+
+@dataclass(frozen=True)
+class _Model:
+    """What is worked out once per change of the clauses."""
+
+    program: Program
+    relations: dict[Indicator, Relation]
+    constraints: Constraints
+
+
+class KnowledgeBase:
+    """Relations that answer in every direction, with reasons."""
+
+    def __init__(self, clauses: Iterable[Clause] = (), dynamic: Iterable[Indicator] = ()) -> None:
+        self._clauses: list[Clause] = list(clauses)
+        self._dynamic: set[Indicator] = set(dynamic)
+        self._statements: dict[Indicator, None] = {}
+        self._cached: _Model | None = None
+
+    # --- authoring -------------------------------------------------------------------------------------------------
+
+    @classmethod
+    def from_text(cls, text: str, file: str = "<text>") -> KnowledgeBase:
+        """A knowledge base from the language's text.
+
+        Raises:
+            ReadError, ProgramError: with the place of the first mistake.
+        """
+        base = cls()
+        base.add(read_text(text, file))
+        base.compile()
+        return base
+
+    def add(self, sentences: Iterable[Sentence]) -> None:
+        """Add clauses and ``:- dynamic(name/arity).`` declarations; productions are the plan library's, not ours.
+
+        Raises:
+            ProgramError: a directive nobody knows, or a production.
+        """
+        for sentence in sentences:
+            if isinstance(sentence, Clause):
+                self._clauses.append(sentence)
+            elif isinstance(sentence, Directive):
+                self._dynamic.add(_dynamic(sentence))
+            else:
+                raise ProgramError("a plan (-->) belongs in a plan library, not in a knowledge base", sentence.place)
+        self._cached = None
+
+    def fact(self, fact: Statement) -> None:
+        """State a fact: ``kb.fact("food(biscuits)")`` or ``kb.fact(("food", "biscuits"))``.
+
+        Raises:
+            ProgramError: the fact has a variable.
+        """
+        head = self._statement(fact)
+        if not is_ground(head):
+            raise ProgramError(f"{term_text(as_term(head))} has a variable; state a rule for what holds of everything")
+        self.add([Clause(head)])
+
+    def rule(self, text: str) -> None:
+        """State a rule or a constraint in the language's syntax, with or without its full stop."""
+        self.add(read_text(text if text.rstrip().endswith(".") else f"{text}."))
+
+    def declare_statements(self, statements: Iterable[Indicator]) -> None:
+        """Name the predicates that are action statements: what ``valid(S)`` enumerates when S is unknown."""
+        self._statements.update(dict.fromkeys(statements))
+
+    def compile(self) -> None:
+        """Check, stratify and materialise now instead of at the first question.
+
+        Raises:
+            ProgramError: see `kb.program.analyse`.
+        """
+        _ = self._model
+
+    @property
+    def clauses(self) -> Sequence[Clause]:
+        """Every clause, in the author's order."""
+        return tuple(self._clauses)
+
+    def to_text(self) -> str:
+        """The clauses as text that reads in as the same model."""
+        declarations = [f":- dynamic({name} / {arity}).\n" for name, arity in sorted(self._dynamic)]
+        return "".join(declarations) + program_text(self._clauses)
+
+    # --- questions -------------------------------------------------------------------------------------------------
+
+    def ask(self, statement: Statement) -> bool:
+        """Whether the statement holds; with unknown parts, whether it holds for some value.
+
+        Raises:
+            ProgramError: nothing defines the predicate. BudgetExceeded: the answer is unknown.
+        """
+        atom = self._statement(statement)
+        relation = self._model.relations.get(atom.indicator)
+        if relation is not None and is_ground(atom):
+            return atom.args in relation.rows
+        return next(self.instances(atom), None) is not None
+
+    def query(self, goal: str, limit: int | None = None) -> Iterator[dict[str, Term]]:
+        """Answers to a conjunction (``eat(A, T, D), \\+ D = sink``) in any direction, lazily, each once.
+
+        An answer maps the goal's named variables to their values; a part that may be anything is a `Variable`.
+
+        Raises:
+            ReadError, ProgramError, BudgetExceeded.
+        """
+        alternatives = _query_of_text(goal)
+        for literal in (x for body in alternatives for x in body):
+            check_defined(literal, self._model.program.clauses)
+        return self._answers(alternatives, limit)
+
+    def _answers(self, alternatives: tuple[tuple[Literal, ...], ...], limit: int | None) -> Iterator[dict[str, Term]]:
+        seen: set[Row] = set()
+        for body in alternatives:
+            names = [v for v in dict.fromkeys(v for x in body for v in x.variables()) if not v.name.startswith("_")]
+            for solution in self.solver().solve(body):
+                row = tuple(substitute(name, solution) for name in names)
+                if row not in seen:
+                    if limit is not None and len(seen) >= limit:
+                        return
+                    seen.add(row)
+                    yield {name.name: value for name, value in zip(names, row)}
+
+    def instances(self, statement: Statement) -> Iterator[Compound]:
+        """Every instance of one atom that holds, lazily; a part that may be anything stays a variable."""
+        atom = self._statement(statement)
+        self.check_known(atom.indicator)
+        for solution in self.solver().solve([Literal(atom)]):
+            yield substitute(atom, solution)
+
+    def rows(self, name: str, arity: int) -> Iterator[Row]:
+        """The rows of a predicate as tuples of constants; none when it is not defined."""
+        if (name, arity) in self._model.program.clauses:
+            relation = self.stored((name, arity))
+            if relation is not None:
+                yield from list(relation)
+            else:
+                pattern = Compound([name, *(Variable(f"X{at}") for at in range(arity))])
+                yield from (answer.args for answer in self.instances(pattern) if is_ground(answer))
+
+    # --- reasons ---------------------------------------------------------------------------------------------------
+
+    def why(self, statement: Statement) -> Proof | None:
+        """A proof of the statement (of its first instance, where it has unknown parts), or None when it fails."""
+        atom = self._statement(statement)
+        self.check_known(atom.indicator)
+        if not is_ground(atom):
+            first = next((a for a in self.instances(atom) if is_ground(a)), None)
+            if first is None:
+                return None
+            atom = first
+        return prove(atom, self._model.relations, self.solver())
+
+    def why_not(self, statement: Statement, history: History = _EMPTY) -> Refusal | None:
+        """Why the statement is not provable or not valid; None when it is both."""
+        atom = self._statement(statement)
+        if atom.indicator == ("valid", 1) and isinstance(atom[1], (str, tuple)):
+            return self.why_not(predication(atom[1]), history)
+        if atom.indicator not in self._model.program.clauses:
+            return Refusal(atom, undefined=self._undefined(atom.indicator))
+        if next(self.instances(atom), None) is None:
+            tried = tuple(attempts(atom, self._model.program.clauses[atom.indicator], self.solver()))
+            clashes = self._violations(atom, history) if is_ground(atom) else ()
+            return Refusal(atom, tried, tuple(clashes))
+        if next(valid_instances(atom, history, self.solver(), self._model.constraints), None) is not None:
+            return None
+        return Refusal(atom, (), tuple(self._violations(next(self.instances(atom)), history)))
+
+    def _violations(self, atom: Compound, history: History) -> Iterator[Violation]:
+        return self._model.constraints.broken_by(atom, history, self.solver())
+
+    def verify(self, statement: Statement, history: History = _EMPTY) -> Verdict:
+        """Judge a statement: provable, and no constraint broken when it is claimed after the history.
+
+        A statement whose predicate nobody defines is invalid, with a reason; it is not an error.
+        """
+        atom = self._statement(statement)
+        if atom.indicator not in self._model.program.clauses:
+            return Verdict(atom, False, atom, Refusal(atom, undefined=self._undefined(atom.indicator)))
+        verdict = verify(atom, history, self.solver(), self._model.constraints)
+        if verdict.valid is not False:
+            return verdict
+        return Verdict(atom, False, atom, self.why_not(atom, history))
+
+    # --- the parts below -------------------------------------------------------------------------------------------
+
+    def __getattr__(self, name: str) -> Predicate:
+        """A predicate by its name, to be used as a kanren goal constructor: ``kb.eat(x, "biscuits", "plate")``."""
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return self.predicate(name)
+
+    def predicate(self, name: str) -> Predicate:
+        """A predicate by its name, also one that is called like a method of this class.
+
+        Raises:
+            AttributeError: nothing defines the name.
+        """
+        known = self._model.program.clauses
+        if all(name != defined for defined, _ in (*known, *SYSTEM)):
+            raise AttributeError(undefined_sentence((name, 0), known))
+        return Predicate(self, name)
+
+    def check_known(self, indicator: Indicator) -> None:
+        """Refuse a predicate nobody defines.
+
+        Raises:
+            ProgramError: with what may have been meant.
+        """
+        if indicator not in SYSTEM and indicator not in self._model.program.clauses:
+            raise ProgramError(undefined_sentence(indicator, self._model.program.clauses))
+
+    def stored(self, indicator: Indicator) -> Relation | None:
+        """The relation of a predicate whose rows are all listed; None for one that is answered top-down."""
+        return self._model.relations.get(indicator)
+
+    def solver(self, budget: int = DEFAULT_BUDGET) -> Solver:
+        """A fresh search over everything that holds."""
+        model = self._model
+        computed = {("valid", 1): self._valid, ("never", 1): self._broken}
+        return Solver(model.relations, model.program.clauses, computed, budget)
+
+    @property
+    def _model(self) -> _Model:
+        if self._cached is None:
+            program = analyse(self._clauses, self._dynamic)
+            relations = materialise(program)
+            solver = Solver(relations, program.clauses, {("valid", 1): self._valid, ("never", 1): self._broken})
+            self._cached = _Model(program, relations, constraints_of(program, solver))
+        return self._cached
+
+    def _valid(self, atom: Compound) -> Iterator[Compound]:
+        """The computed relation valid/1."""
+        wanted = atom[1]
+        patterns = (
+            [Compound([n, *(Variable(f"V{i}") for i in range(a))]) for n, a in self._statement_predicates()]
+            if isinstance(wanted, Variable)
+            else [predication(wanted)]
+        )
+        for pattern in patterns:
+            if pattern.indicator in self._model.program.clauses:
+                found = valid_instances(pattern, _EMPTY, self.solver(), self._model.constraints)
+                yield from (Compound(("valid", as_term(instance))) for instance in found)
+
+    def _broken(self, atom: Compound) -> Iterator[Compound]:
+        """The computed relation never/1: the constraints that the facts alone break."""
+        for violation in self._model.constraints.always:
+            answer = Compound(("never", violation.sentence))
+            if unify(atom, answer, {}) is not None:
+                yield answer
+
+    def _statement_predicates(self) -> list[Indicator]:
+        """The declared action statements; without a declaration, every stored predicate that has a rule."""
+        model = self._model
+        derived = (i for i, found in model.program.clauses.items() if any(c.body for c in found))
+        return list(self._statements) or [i for i in derived if i in model.relations]
+
+    def _undefined(self, indicator: Indicator) -> str:
+        return undefined_sentence(indicator, self._statements or self._model.program.clauses)
+
+    def _statement(self, statement: Statement) -> Compound:
+        return _statement_of_text(statement) if isinstance(statement, str) else predication(statement)
+
+    def __len__(self) -> int:
+        return len(self._clauses)
+
+    def __repr__(self) -> str:
+        return f"<KnowledgeBase: {len(self._clauses)} clauses>"
+
+
+def _dynamic(directive: Directive) -> Indicator:
+    """The predicate of a ``:- dynamic(name/arity).`` declaration."""
+    term = directive.term
+    inner = term[1] if term.indicator == ("dynamic", 1) else None
+    if isinstance(inner, Compound) and inner.indicator == ("/", 2) and isinstance(inner[2], int):
+        return str(inner[1]), inner[2]
+    raise ProgramError(f"the only directive is :- dynamic(name/arity), not {term_text(as_term(term))}", directive.place)

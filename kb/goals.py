@@ -1,0 +1,121 @@
+"""Relations as kanren goals: usable in ``run``, ``lall``, ``conde`` with anyone's goals, in every mode.
+
+Unlike kanren's own ``Relation`` they look the index up with the arguments *walked through the state*, answer a ground
+call by a set test, and keep the state's constraints (``neq`` and its kin), because a constrained state only ever grows
+through ``unify``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from unification import Var, isvar, reify, unify, var
+from unification.core import _reify, _reify_Iterable_ctor
+
+from casper.kb.relation import Relation, Row
+from casper.kb.terms import Compound, Term, Variable
+
+if TYPE_CHECKING:
+    from casper.kb.base import KnowledgeBase
+
+State: TypeAlias = Any  # a mapping of kanren variables, perhaps a ConstrainedState
+Goal: TypeAlias = Callable[[State], Iterator[State]]
+
+
+def _reify_compound(term: Compound, state: State) -> Any:
+    return _reify_Iterable_ctor(Compound, term, state)
+
+
+_reify.add((Compound, dict), _reify_compound)  # a reified compound stays one, and prints as one
+_reify.add((Compound, object), _reify_compound)
+
+
+class Predicate:
+    """A name of the knowledge base, callable with kanren terms: ``kb.eat(x, "biscuits", "plate")`` is a goal."""
+
+    __slots__ = ("base", "name")
+
+    def __init__(self, base: KnowledgeBase, name: str) -> None:
+        self.base, self.name = base, name
+
+    def __call__(self, *args: Any) -> Goal:
+        """A goal that holds for every row (or proof) the arguments can be.
+
+        Raises:
+            ProgramError: the name is not defined with this many arguments.
+        """
+        base, indicator = self.base, (self.name, len(args))
+        base.check_known(indicator)
+
+        def goal(state: State) -> Iterator[State]:
+            relation = base.stored(indicator)
+            walked = reify(args, state)
+            if relation is None:
+                return _derived(base, indicator[0], walked, state)
+            return stored_goal(relation, walked, state)
+
+        return goal
+
+    def __repr__(self) -> str:
+        return f"<predicate {self.name}>"
+
+
+def stored_goal(relation: Relation, args: Row, state: State) -> Iterator[State]:
+    """The states in which the (walked) arguments are a row of the relation."""
+    open_ = [(at, arg) for at, arg in enumerate(args) if not _is_closed(arg)]
+    if not open_:
+        if args in relation:
+            yield state
+        return
+    free = {at for at, _ in open_}
+    columns = tuple(at for at in range(len(args)) if at not in free)
+    rows = relation.matching(columns, tuple([args[at] for at in columns]))
+    if type(state) is dict and len({arg for _, arg in open_}) == len(open_) and all(isvar(arg) for _, arg in open_):
+        for row in rows:
+            extended = state.copy()
+            for at, variable in open_:
+                extended[variable] = row[at]
+            yield extended
+    else:  # constraints, repeated variables and compound terms go through unify
+        left = tuple([arg for _, arg in open_])
+        for row in rows:
+            extended = unify(left, tuple([row[at] for at, _ in open_]), state)
+            if extended is not False:
+                yield extended
+
+
+def _is_closed(term: Any) -> bool:
+    if isinstance(term, tuple):
+        return all(_is_closed(part) for part in term)
+    return not isvar(term)
+
+
+def _derived(base: KnowledgeBase, name: str, args: Row, state: State) -> Iterator[State]:
+    """A predicate that is answered top-down: kanren's variables become the solver's, and its answers come back."""
+    names: dict[Var, Variable] = {}
+    atom = Compound([name, *(_to_solver(arg, names) for arg in args)])
+    for answer in base.instances(atom):
+        fresh: dict[Variable, Var] = {}
+        extended = unify(tuple(args), tuple(_to_kanren(part, fresh) for part in answer.args), state)
+        if extended is not False:
+            yield extended
+
+
+def _to_solver(term: Any, names: dict[Var, Variable]) -> Term:
+    if isvar(term):
+        return names.setdefault(term, Variable(f"K{len(names)}"))
+    if isinstance(term, tuple):
+        return Compound([_to_solver(part, names) for part in term])
+    return term
+
+
+def _to_kanren(term: Term, fresh: dict[Variable, Var]) -> Any:
+    if isinstance(term, Variable):
+        return fresh.setdefault(term, var())
+    if isinstance(term, Compound):
+        return Compound([_to_kanren(part, fresh) for part in term])
+    return term
+
+
+__all__ = ["Goal", "Predicate", "State", "stored_goal"]

@@ -1,0 +1,157 @@
+"""Validity: a statement is valid when it is provable and breaks no constraint when it is claimed (paper III-F).
+
+Unknown parts of a statement are logic variables: it is acceptable when some value makes it valid, and a part for
+which only one value does is filled in (what the paper's SWRL rules were for).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from casper.kb.clauses import Clause, Literal
+from casper.kb.errors import BudgetExceeded
+from casper.kb.program import Indicator, Program
+from casper.kb.relation import Relation
+from casper.kb.solve import Solver
+from casper.kb.terms import Compound, Term, as_term, is_ground, predication, substitute, unify
+from casper.kb.why_not import Refusal, Violation
+
+History: TypeAlias = Sequence[tuple[Term, float]]  # what happened earlier: (statement, seconds)
+_FILL_LIMIT = 1000  # instances looked at before a part is given up as open
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """The outcome of a verification.
+
+    ``valid`` is None when the search ran out of its budget. ``completed`` is the statement with every part filled in
+    for which only one value is valid; ``refusal`` says why not.
+    """
+
+    statement: Compound
+    valid: bool | None
+    completed: Compound
+    refusal: Refusal | None = None
+    remark: str = ""
+
+    @property
+    def reasons(self) -> tuple[str, ...]:
+        """Why the statement is not valid, one sentence each; empty when it is."""
+        if self.refusal is not None:
+            return self.refusal.reasons
+        return (self.remark,) if self.remark else ()
+
+
+@dataclass(frozen=True, slots=True)
+class Constraints:
+    """The constraints of a program: those the facts alone decide are decided once."""
+
+    always: tuple[Violation, ...]
+    by_claim: tuple[Clause, ...] = field(default=())
+
+    def broken_by(self, claim: Compound, history: History, solver: Solver) -> Iterator[Violation]:
+        """Every constraint that is broken when the statement is claimed after the history."""
+        yield from self.always
+        candidates = [c for c in self.by_claim if _may_concern(c, claim)]
+        if not candidates:
+            return
+        situation: dict[Indicator, Relation] = {
+            ("claim", 1): Relation("claim", 1, [(as_term(claim),)]),
+            ("did", 2): Relation("did", 2, [(as_term(predication(s)), t) for s, t in history]),
+        }
+        relations: Mapping[Indicator, Relation] = _Overlay(solver.relations, situation)
+        for clause in candidates:
+            search = Solver(relations, solver.clauses, solver.computed, solver.budget, floundering_fails=True)
+            violation = _violation(clause, search)
+            if violation is not None:
+                yield violation
+
+
+class _Overlay(dict[Indicator, Relation]):
+    """A few relations laid over the stored ones, which are not copied."""
+
+    def __init__(self, below: Mapping[Indicator, Relation], above: Mapping[Indicator, Relation]) -> None:
+        super().__init__(above)
+        self.below = below
+
+    def get(self, key: Indicator, default: object = None) -> Relation | None:  # type: ignore[override]
+        found = super().get(key)
+        return self.below.get(key) if found is None else found
+
+
+def constraints_of(program: Program, solver: Solver) -> Constraints:
+    """Sort the constraints: those that need the situation wait for a claim, the others are decided now."""
+    by_claim = tuple(c for c in program.constraints if _is_situational(c, program))
+    static = (c for c in program.constraints if not _is_situational(c, program))
+    always = (_violation(clause, solver) for clause in static)
+    return Constraints(tuple(v for v in always if v is not None), by_claim)
+
+
+def _is_situational(clause: Clause, program: Program) -> bool:
+    needed = {x.atom.indicator for x in clause.body if not x.is_comparison}
+    return bool(needed & (program.situational | {("claim", 1), ("did", 2), ("valid", 1)}))
+
+
+def _may_concern(clause: Clause, claim: Compound) -> bool:
+    """A quick look: a constraint on a claim of another name or arity cannot be broken by this one."""
+    for literal in clause.body:
+        pattern = literal.atom[1] if literal.atom.indicator == ("claim", 1) and not literal.negated else None
+        if isinstance(pattern, (str, Compound)) and predication(pattern).indicator != claim.indicator:
+            return False
+    return True
+
+
+def _violation(clause: Clause, solver: Solver) -> Violation | None:
+    head, body = solver.fresh(clause)
+    for solution in solver.solve(body):
+        clash = tuple(Literal(substitute(x.atom, solution), x.negated, x.place) for x in body)
+        return Violation(str(head[1]), clause, clash)
+    return None
+
+
+def valid_instances(
+    statement: Compound, history: History, solver: Solver, constraints: Constraints
+) -> Iterator[Compound]:
+    """Every valid instance of the statement, lazily."""
+    seen: set[Compound] = set()
+    for solution in solver.solve([Literal(statement)]):
+        instance: Compound = substitute(statement, solution)
+        if instance not in seen:
+            seen.add(instance)
+            if next(constraints.broken_by(instance, history, solver), None) is None:
+                yield instance
+
+
+def verify(statement: Compound, history: History, solver: Solver, constraints: Constraints) -> Verdict:
+    """Judge one statement; an invalid one comes back without its refusal, which `KnowledgeBase.verify` adds.
+
+    Unknown is not no: a search that outlives its budget gives ``valid=None``.
+    """
+    completed: Compound | None = None
+    try:
+        for number, instance in enumerate(valid_instances(statement, history, solver, constraints)):
+            completed = instance if completed is None else _agreement(statement, completed, instance)
+            if completed == statement or number >= _FILL_LIMIT:
+                completed = statement
+                break
+    except BudgetExceeded as mistake:
+        return Verdict(statement, None, statement, None, mistake.sentence)
+    if completed is None:
+        return Verdict(statement, False, statement)
+    return Verdict(statement, True, completed)
+
+
+def _agreement(statement: Term, left: Term, right: Term) -> Term:
+    """What two instances agree on, with the statement's own unknown parts where they do not."""
+    if left == right:
+        return left
+    if isinstance(statement, Compound) and isinstance(left, Compound) and isinstance(right, Compound):
+        return Compound([_agreement(s, a, b) for s, a, b in zip(statement, left, right)])
+    return statement
+
+
+def is_instance(statement: Compound, instance: Compound) -> bool:
+    """Whether the ground instance is one the statement can be."""
+    return is_ground(instance) and unify(statement, instance, {}) is not None

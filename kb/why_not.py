@@ -1,0 +1,107 @@
+"""Why something does not hold: for each clause that could give it, the fewest conditions that fail.
+
+Conditions are taken in the author's order, under the bindings that come nearest: of all ways to satisfy a body, one
+that leaves the fewest conditions unsatisfied.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from casper.kb.clauses import Clause, Literal
+from casper.kb.comparison import is_ready
+from casper.kb.errors import BudgetExceeded
+from casper.kb.solve import Solver
+from casper.kb.terms import Bindings, Compound, as_term, substitute, unify
+from casper.kb.wording import failure_sentence
+from casper.kb.writer import term_text
+
+
+@dataclass(frozen=True, slots=True)
+class Attempt:
+    """One clause that could have given the statement, and its conditions that fail (instantiated, author's order)."""
+
+    clause: Clause
+    failed: tuple[Literal, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Violation:
+    """A broken constraint: its sentence, the clause of never/1, and the instantiated conditions that clash."""
+
+    sentence: str
+    clause: Clause
+    clash: tuple[Literal, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """Why a statement does not hold (or is not valid); ``str()`` is one sentence a line."""
+
+    statement: Compound
+    attempts: tuple[Attempt, ...] = ()
+    violations: tuple[Violation, ...] = ()
+    undefined: str = ""
+
+    @property
+    def reasons(self) -> tuple[str, ...]:
+        """The sentences: failed conditions of the nearest clauses first, then broken constraints."""
+        sentences = [self.undefined] if self.undefined else []
+        fewest = min((len(a.failed) for a in self.attempts), default=0)
+        for attempt in self.attempts:
+            if len(attempt.failed) == fewest:
+                sentences.extend(failure_sentence(literal) for literal in attempt.failed)
+        sentences.extend(v.sentence for v in self.violations)
+        if not sentences:
+            sentences.append(f"no fact or rule gives {term_text(as_term(self.statement))}")
+        return tuple(dict.fromkeys(sentences))
+
+    def __str__(self) -> str:
+        return "\n".join(self.reasons)
+
+
+def attempts(statement: Compound, clauses: Sequence[Clause], solver: Solver) -> Iterator[Attempt]:
+    """For every rule whose head the statement can be, its nearest attempt; nothing for a statement that holds.
+
+    A clause whose search outlives the solver's budget is left out: its failing conditions are unknown.
+    """
+    for clause in clauses:
+        head, body = solver.fresh(clause)
+        bindings = unify(head, statement, {})
+        if bindings is None or not body:
+            continue
+        try:
+            failed = nearest(body, bindings, solver)
+        except BudgetExceeded:
+            continue
+        yield Attempt(clause, failed)
+
+
+def nearest(body: Sequence[Literal], bindings: Bindings, solver: Solver) -> tuple[Literal, ...]:
+    """The fewest conditions that must be given up for the rest of the body to hold, instantiated."""
+    for allowed in range(len(body) + 1):
+        found = next(_give_up(list(body), bindings, allowed, solver), None)
+        if found is not None:
+            given_up, solution = found
+            kept = [literal for literal in body if any(literal is x for x in given_up)]
+            return tuple(Literal(substitute(x.atom, solution), x.negated, x.place) for x in kept)
+    return tuple(body)
+
+
+def _give_up(
+    body: list[Literal], bindings: Bindings, allowed: int, solver: Solver
+) -> Iterator[tuple[list[Literal], Bindings]]:
+    """Ways to satisfy the body but for at most ``allowed`` conditions: those given up, with the bindings."""
+    if not body:
+        yield [], bindings
+        return
+    at = next((i for i, x in enumerate(body) if not x.is_comparison or is_ready(x, bindings)), 0)
+    literal, rest = body[at], body[:at] + body[at + 1 :]
+    decided = not literal.is_comparison or is_ready(literal, bindings)
+    if decided:
+        for extended in solver.answers(literal, bindings):
+            yield from _give_up(rest, extended, allowed, solver)
+    if allowed:
+        for given_up, solution in _give_up(rest, bindings, allowed - 1, solver):
+            yield [literal, *given_up], solution

@@ -1,0 +1,75 @@
+"""A plan: one way to pursue a goal, as a tree whose leaves are actions in order (frozen data)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TypeAlias
+
+from casper.kb.errors import Place
+from casper.kb.terms import Compound, Variable, as_term, variables_of
+from casper.kb.writer import term_text
+
+
+@dataclass(frozen=True)
+class Task:
+    """An inner node: the goal itself or a non-terminal, with what it is done by, in order."""
+
+    term: Compound
+    children: tuple[Node, ...]
+
+
+@dataclass(frozen=True)
+class Action:
+    """A leaf: an action the partner can be seen to do; its agent is left out. ``place`` is its production's."""
+
+    term: Compound
+    place: Place = field(default=Place(), compare=False)
+
+
+Node: TypeAlias = Task | Action
+
+
+@dataclass(frozen=True)
+class Plan:
+    """One way to pursue a goal.
+
+    ``label`` is what the goal is called in results: its name, or the whole term where several goals share the name.
+    ``way`` numbers the plans of one goal from 0. Parameters that are not settled are variables, the same ones in the
+    goal and in the leaves.
+    """
+
+    label: str
+    root: Task
+    way: int = 0
+    place: Place = field(default=Place(), compare=False)
+
+    @property
+    def goal(self) -> Compound:
+        """The goal with its parameters."""
+        return self.root.term
+
+    @cached_property
+    def leaves(self) -> tuple[Compound, ...]:
+        """The actions in order."""
+        return tuple(action.term for action in self.actions)
+
+    @cached_property
+    def actions(self) -> tuple[Action, ...]:
+        """The leaf nodes in order."""
+        return tuple(_leaves(self.root))
+
+    @cached_property
+    def variables(self) -> tuple[Variable, ...]:
+        """The parameters of goal and leaves, in order of first occurrence."""
+        return tuple(variables_of(self.goal, *self.leaves))
+
+    def __repr__(self) -> str:
+        leaves = ", ".join(term_text(as_term(leaf)) for leaf in self.leaves)
+        return f"<Plan {term_text(as_term(self.goal))}: {leaves}>"
+
+
+def _leaves(node: Node) -> list[Action]:
+    if isinstance(node, Action):
+        return [node]
+    return [leaf for child in node.children for leaf in _leaves(child)]

@@ -1,0 +1,40 @@
+"""Plans as relations, so that they can be queried like everything else.
+
+    step(Goal, Number, Action)   the goal's plan has this action as its leaf number (from 1)
+    uses(Goal, Thing)            some action of the goal's plan names the thing: "which goals use the plate?"
+    task(Task)                   the task is done by a production
+
+Each holds for the goals that the knowledge base allows: ``goal(breakfast(F)) :- biscuits(F)`` makes F the biscuits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from casper.kb.clauses import Clause, Literal
+from casper.kb.terms import Compound, Variable, as_term, variables_of
+from casper.plans.library import PlanLibrary
+
+RELATIONS = (("step", 3), ("uses", 2), ("task", 1))
+
+
+def plan_clauses(library: PlanLibrary) -> Iterator[Clause]:
+    """The clauses of step/3, uses/2 and task/1 for a library."""
+    seen: set[Clause] = set()
+    for plan in library.plans:
+        goal = as_term(plan.goal)
+        condition = (Literal(Compound(("goal", goal))),)
+        parameters = set(variables_of(goal))
+        for number, leaf in enumerate(plan.leaves, 1):
+            yield from _once(seen, Clause(Compound(("step", goal, number, as_term(leaf))), condition, plan.place))
+            for thing in leaf.args:
+                if not isinstance(thing, Variable) or thing in parameters:
+                    yield from _once(seen, Clause(Compound(("uses", goal, thing)), condition, plan.place))
+    for production in library.productions:
+        yield from _once(seen, Clause(Compound(("task", production.head.functor)), (), production.place))
+
+
+def _once(seen: set[Clause], clause: Clause) -> Iterator[Clause]:
+    if clause not in seen:
+        seen.add(clause)
+        yield clause

@@ -1,0 +1,77 @@
+"""Plan trees as networkx graphs, and their text form.
+
+A tree is a ``networkx.DiGraph`` whose nodes are numbered in pre-order, the root being 0, with edges from a task to
+what it is done by. Every node has the attributes
+
+    term     the goal, task or action with its parameters, as text
+    name     its functor
+    kind     "goal", "task" or "action"
+    leaf     the number of the action among the plan's leaves, from 0 (None for a goal or task)
+    status   "observed", "missed" or "unobserved"; a task is observed (missed) when all its leaves are, else unobserved
+
+These are the paper's conventions: filled, textured and dashed nodes (figure "score").
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import count
+from typing import TYPE_CHECKING, Literal, TypeAlias
+
+from casper.kb.terms import Bindings, as_term, substitute
+from casper.kb.writer import term_text
+from casper.plans.plan import Action, Node, Plan
+
+if TYPE_CHECKING:
+    import networkx as nx
+
+Status: TypeAlias = Literal["observed", "missed", "unobserved"]
+MARKS: dict[str, str] = {"observed": "●", "missed": "✗", "unobserved": "○"}
+
+
+def statuses(leaves: int, marks: Iterable[int]) -> tuple[Status, ...]:
+    """The status of every leaf when the marked ones were observed: what lies left of the last one was missed."""
+    observed = set(marks)
+    last = max(observed, default=-1)
+    return tuple(
+        "observed" if at in observed else "missed" if at < last else "unobserved" for at in range(leaves)
+    )
+
+
+def plan_tree(plan: Plan, status: Sequence[Status] | None = None, bindings: Bindings | None = None) -> nx.DiGraph:
+    """The plan as a networkx tree, marked, with parameters replaced by their values where known."""
+    import networkx as nx
+
+    marked = list(status) if status is not None else ["unobserved"] * len(plan.leaves)
+    tree: nx.DiGraph = nx.DiGraph()
+    numbers, leaf_numbers = count(), count()
+
+    def add(node: Node) -> int:
+        number = next(numbers)
+        text = term_text(as_term(substitute(node.term, bindings or {})))
+        if isinstance(node, Action):
+            leaf = next(leaf_numbers)
+            tree.add_node(number, term=text, name=node.term.functor, kind="action", leaf=leaf, status=marked[leaf])
+            return number
+        kind = "goal" if number == 0 else "task"
+        tree.add_node(number, term=text, name=node.term.functor, kind=kind, leaf=None, status="unobserved")
+        children = [add(child) for child in node.children]
+        tree.add_edges_from((number, child) for child in children)
+        below = {tree.nodes[child]["status"] for child in children}
+        tree.nodes[number]["status"] = below.pop() if len(below) == 1 else "unobserved"
+        return number
+
+    add(plan.root)
+    return tree
+
+
+def tree_text(tree: nx.DiGraph) -> str:
+    """The tree as indented text: ● observed, ✗ missed, ○ unobserved."""
+    import networkx as nx
+
+    shown = nx.DiGraph()
+    for number, data in tree.nodes(data=True):
+        mark = MARKS[data["status"]] if data["kind"] == "action" else ""
+        shown.add_node(number, label=f"{mark} {data['term']}".strip())
+    shown.add_edges_from(tree.edges)
+    return "\n".join(nx.generate_network_text(shown, sources=[0]))
