@@ -55,7 +55,9 @@ def world_state_from_json(data: str | bytes | Mapping[str, Any]) -> WorldState:
         except (ValueError, RecursionError) as mistake:
             raise WorldStateError(f"this is not a line of JSON ({mistake})") from None
     if not isinstance(data, Mapping):
-        raise WorldStateError(f'a world state is an object with "t", "agents" and "objects", not {data!r:.60}')
+        raise WorldStateError(
+            f'a world state is an object with "t", "agents" and "objects", not {data!r:.60}'
+        )
     t = _number(data, "t", "the world state")
     when = f"at t={t:g}"
     agents = {
@@ -81,7 +83,8 @@ def world_state_from_json(data: str | bytes | Mapping[str, Any]) -> WorldState:
 def world_state_to_json(world: WorldState) -> dict[str, Any]:
     """The JSON object of the design for one world state; reading it back gives an equal one."""
     agents = {
-        name: {"x": a.x, "y": a.y, "heading": a.heading, "holding": a.holding} for name, a in world.agents.items()
+        name: {"x": a.x, "y": a.y, "heading": a.heading, "holding": a.holding}
+        for name, a in world.agents.items()
     }
     objects = {name: {"x": o.x, "y": o.y, "z": o.z} for name, o in world.objects.items()}
     return {"t": world.t, "agents": agents, "objects": objects}
@@ -99,7 +102,9 @@ def _number(entry: Mapping[str, Any], key: str, whose: str) -> float:
 def _held(entry: Mapping[str, Any], whose: str) -> str | None:
     held = entry.get("holding")
     if held is not None and not isinstance(held, str):
-        raise WorldStateError(f'{whose} has {held!r:.40} under "holding"; it must be an object\'s name or null')
+        raise WorldStateError(
+            f'{whose} has {held!r:.40} under "holding"; it must be an object\'s name or null'
+        )
     return held
 
 

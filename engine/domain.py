@@ -1,0 +1,180 @@
+"""A domain: one folder of text, read into a knowledge base and a plan library.
+
+    >>> kitchen = Domain.load("kitchen")
+    >>> kitchen.kb.ask("wash(tiago, plate, sink)")
+    True
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from casper.engine.explanation import Explanation
+from casper.engine.matching import Matcher, Mismatch, NameMatcher, ParameterMatcher, VerifyingMatcher, bindings_of, settle
+from casper.engine.policy import policy_named
+from casper.engine.reading import Reading
+from casper.kb.base import KnowledgeBase
+from casper.kb.clauses import Clause, Production, Sentence
+from casper.kb.errors import DomainError, PlanError
+from casper.kb.program import undefined_sentence
+from casper.kb.reader import read_file
+from casper.kb.terms import Compound, substitute
+from casper.plans.library import GOAL, PlanLibrary
+from casper.plans.relations import RELATIONS, plan_clauses
+
+ONTOLOGY = "ontology.pl"
+FILES = (ONTOLOGY, "plans.pl", "actions.pl", "movements.pl", "scene.pl")
+SHIPPED = Path(__file__).resolve().parent.parent / "domains"
+
+
+@dataclass(frozen=True)
+class Domain:
+    """What is known of one place: relations, plans, and the settings of every stage as facts among the relations.
+
+    ``verifies`` is False for a folder without ``ontology.pl``: such a domain verifies nothing and only explains.
+    """
+
+    name: str
+    folder: Path
+    kb: KnowledgeBase
+    library: PlanLibrary
+    verifies: bool
+
+    @classmethod
+    def load(cls, name: str | Path) -> Domain:
+        """Load a shipped domain by its name, or any folder by its path.
+
+        Raises:
+            DomainError: no such domain, or a folder with nothing in it; the sentence lists the shipped ones.
+            ReadError, ProgramError, PlanError: a mistake in its text, with file and line.
+        """
+        folder = find_domain(name)
+        sentences = {file: read_file(folder / file) for file in FILES if (folder / file).is_file()}
+        return build(folder.name, folder, sentences)
+
+    @property
+    def partner(self) -> str:
+        """The agent that is watched: ``setting(agents, partner, Name)``, else the first human there is."""
+        return self._agent("partner", "human", "human")
+
+    @property
+    def robot(self) -> str:
+        """The agent that helps: ``setting(agents, robot, Name)``, else the first robot there is."""
+        return self._agent("robot", "robot", "robot")
+
+    def _agent(self, role: str, kind: str, otherwise: str) -> str:
+        for section, key, name in self.kb.rows("setting", 3):
+            if (section, key) == ("agents", role):
+                return str(name)
+        return next((str(row[0]) for row in self.kb.rows(kind, 1)), otherwise)
+
+    def reading(self, policy: str = "strict", verification: bool = True) -> Reading:
+        """A fresh reading of the partner.
+
+        Args:
+            policy: ``strict`` or ``best`` (`engine.policy`).
+            verification: False sees action names only and never asks the knowledge base about an observation.
+
+        Raises:
+            CasperError: no such policy. PlanError: the domain has no plans.
+        """
+        if not self.library.plans:
+            raise PlanError(f"the domain {self.name} has no plans to explain anything with; add them in plans.pl")
+        return Reading(self.library, self._matcher(verification), policy_named(policy), self.capability)
+
+    def _matcher(self, verification: bool) -> Matcher:
+        if not verification:
+            return NameMatcher(self.library.plans)
+        if not self.verifies:
+            return ParameterMatcher(self.library.plans)
+        return VerifyingMatcher(self.library.plans, self.kb, self.partner)
+
+    def capability(self, explanation: Explanation, leaf: int, agent: str) -> tuple[Compound, bool]:
+        """A leaf's action with every part filled in that can be, and whether the knowledge base lets the agent do it.
+
+        What lies before the leaf is taken as done by then. A domain that verifies nothing lets nobody do anything.
+        """
+        plan = explanation.plan
+        binding = explanation.binding or (None,) * len(plan.variables)
+        if not self.verifies:
+            return explanation.leaves[leaf], False
+        settled = settle(self.kb, plan, binding) if self.kb.defines(*GOAL) else binding
+        known = bindings_of(plan, binding if isinstance(settled, Mismatch) else settled)
+        actions = [substitute(action, known) for action in plan.leaves]
+        history = [(Compound((a.functor, self.partner, *a.args)), float(t)) for t, a in enumerate(actions[:leaf])]
+        action = actions[leaf]
+        verdict = self.kb.verify(Compound((action.functor, agent, *action.args)), history)
+        filled = verdict.completed if verdict.valid else verdict.statement
+        return Compound((filled.functor, *filled.args[1:])), verdict.valid is True
+
+
+def find_domain(name: str | Path) -> Path:
+    """The folder of a shipped domain or of a path.
+
+    Raises:
+        DomainError: there is none, or the folder holds no domain file.
+    """
+    shipped = sorted(p.name for p in SHIPPED.iterdir() if p.is_dir() and any((p / f).is_file() for f in FILES))
+    folder = Path(name)
+    if str(name) in shipped and not folder.is_dir():
+        return SHIPPED / str(name)
+    if not folder.is_dir():
+        raise DomainError(f"there is no domain {str(name)!r}: give a folder, or one of {', '.join(shipped)}")
+    if not any((folder / file).is_file() for file in FILES):
+        if str(name) in shipped:
+            return SHIPPED / str(name)
+        raise DomainError(f"the folder {name} holds no domain: it needs {ONTOLOGY} or plans.pl")
+    return folder.resolve()
+
+
+def build(name: str, folder: Path, sentences: dict[str, list[Sentence]]) -> Domain:
+    """A domain from sentences by file name.
+
+    Raises:
+        ProgramError, PlanError: a mistake in the text, with file and line.
+    """
+    verifies = ONTOLOGY in sentences
+    everything = [sentence for found in sentences.values() for sentence in found]
+    library = PlanLibrary(everything)
+    kb = KnowledgeBase()
+    kb.add(_knowledge(everything, verifies))
+    written = {s.head.indicator for s in everything if isinstance(s, Clause)}
+    derived = [clause for clause in plan_clauses(library) if clause.head.indicator not in written]
+    if library.plans and not library.goal_clauses:
+        kb.add(Clause(Compound(("goal", p.goal if len(p.goal) > 1 else p.goal[0]))) for p in library.plans)
+    kb.add(derived)
+    kb.declare_statements((action, arity + 1) for action, arity in library.actions)
+    kb.compile()
+    if verifies:
+        _check_actions(library, kb)
+    return Domain(name, folder, kb, library, verifies)
+
+
+def _knowledge(sentences: Iterable[Sentence], verifies: bool) -> Iterable[Sentence]:
+    """What the knowledge base holds: everything but productions.
+
+    Without an ontology the conditions of goals cannot be asked, so the goals hold unconditionally.
+    """
+    for sentence in sentences:
+        if isinstance(sentence, Production):
+            continue
+        if isinstance(sentence, Clause) and sentence.head.indicator == GOAL and not verifies:
+            yield Clause(sentence.head, (), sentence.place)
+        else:
+            yield sentence
+
+
+def _check_actions(library: PlanLibrary, kb: KnowledgeBase) -> None:
+    """Refuse a plan with an action that the ontology does not know: nobody could ever do it."""
+    for (action, arity), place in library.actions.items():
+        if not kb.defines(action, arity + 1):
+            known = {(name, at - 1) for name, at in _indicators(kb) if at > 0 and (name, at - 1) not in RELATIONS}
+            hint = undefined_sentence((action, arity), known).split("; ", 1)[-1]
+            sentence = f"a plan has the action {action}/{arity}, but no rule {action}/{arity + 1} says when it is valid"
+            raise PlanError(f"{sentence}; {hint}", place)
+
+
+def _indicators(kb: KnowledgeBase) -> set[tuple[str, int]]:
+    return {clause.head.indicator for clause in kb.clauses}
