@@ -9,7 +9,7 @@ from operator import itemgetter
 
 from casper.engine import qsr
 from casper.engine.settings import Rows, number, read_settings, require
-from casper.engine.world import AgentState, WorldState
+from casper.engine.world import AgentState, ObjectState, WorldState
 from casper.kb.errors import WorldStateError
 
 BANDS = (("touch", 0.6), ("near", 2.0), ("medium", 3.0), ("far", 5.0), ("ignore", math.inf))
@@ -122,7 +122,7 @@ class Perception:
         if agent is None:
             self._before = None
             return None
-        _check_agent(self.agent, agent, world.t)
+        check_agent(self.agent, agent, world.t)
         step = _Step(world.t, (agent.x, agent.y), self._places(world, agent))
         step.moving = self._moving(step)
         angle = self._towards_objects(step, agent)
@@ -130,12 +130,10 @@ class Perception:
         return Relations(world.t, self.agent, step.moving, agent.holding, step.qdc, step.qtc, angle)
 
     def _places(self, world: WorldState, agent: AgentState) -> dict[str, qsr.Point]:
-        isfinite = math.isfinite
         places = {}
-        for name, o in world.objects.items():
-            if not (isfinite(o.x) and isfinite(o.y) and (o.z is None or isfinite(o.z))):
-                raise WorldStateError(f"{name} has a coordinate that is not finite at t={world.t:g}")
-            places[name] = (o.x, o.y)
+        for name, thing in world.objects.items():
+            check_object(name, thing, world.t)
+            places[name] = (thing.x, thing.y)
         if self.settings.snap_held and agent.holding is not None:
             places[agent.holding] = (agent.x, agent.y)
         return places
@@ -185,6 +183,22 @@ def check_time(before: float | None, now: float) -> None:
         raise WorldStateError(f"time must advance from one world state to the next: t={now:g} came after t={before:g}")
 
 
-def _check_agent(name: str, agent: AgentState, t: float) -> None:
+def check_agent(name: str, agent: AgentState, t: float) -> None:
+    """An agent's coordinates and heading are finite.
+
+    Raises:
+        WorldStateError: otherwise; the sentence names the agent and the time.
+    """
     if not (math.isfinite(agent.x) and math.isfinite(agent.y) and math.isfinite(agent.heading)):
         raise WorldStateError(f"agent {name} has a coordinate that is not finite at t={t:g}")
+
+
+def check_object(name: str, thing: ObjectState, t: float) -> None:
+    """An object's coordinates are finite, its height as well where there is one.
+
+    Raises:
+        WorldStateError: otherwise; the sentence names the object and the time.
+    """
+    z = thing.z
+    if not (math.isfinite(thing.x) and math.isfinite(thing.y) and (z is None or math.isfinite(z))):
+        raise WorldStateError(f"{name} has a coordinate that is not finite at t={t:g}")

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from casper.engine.perception import check_time
+from casper.engine.perception import check_agent, check_object, check_time
 from casper.engine.settings import Rows, read_settings, require
 from casper.engine.world import AgentState, ObjectState, WorldState
-from casper.kb.errors import WorldStateError
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +78,8 @@ class Tracker:
         return WorldState(world.t, agents, objects)
 
     def _track_agents(self, world: WorldState) -> dict[str, AgentState]:
-        for name in world.agents:
+        for name, agent in world.agents.items():
+            check_agent(name, agent, world.t)
             if name not in self._agents:
                 self._agents[name] = _AgentTrack()
         seen = {}
@@ -95,8 +95,8 @@ class Tracker:
 
     def _track_object(self, name: str, world: WorldState, holder: AgentState | None) -> ObjectState:
         seen = world.objects.get(name)
-        if seen is not None and not (math.isfinite(seen.x) and math.isfinite(seen.y)):
-            raise WorldStateError(f"{name} has a coordinate that is not finite at t={world.t:g}")
+        if seen is not None:
+            check_object(name, seen, world.t)
         track = self._objects.get(name)
         if track is None:
             first = seen if seen is not None or holder is None else ObjectState(holder.x, holder.y)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 from functools import lru_cache
 from typing import TypeAlias
 
@@ -20,6 +21,7 @@ from casper.kb.program import SYSTEM, Indicator, Program, analyse, check_defined
 from casper.kb.proof import Proof
 from casper.kb.reader import read_query, read_statement, read_text
 from casper.kb.relation import Relation, Row
+from casper.kb.repair import Repair, repairs
 from casper.kb.solve import DEFAULT_BUDGET, Solver
 from casper.kb.terms import Compound, Term, Variable, as_term, is_ground, predication, substitute, unify
 from casper.kb.validity import Constraints, History, Verdict, constraints_of, valid_instances, verify
@@ -217,6 +219,30 @@ class KnowledgeBase:
             return verdict
         return Verdict(atom, False, atom, self.why_not(atom, history))
 
+    def repair(self, statement: Statement, history: History = _EMPTY, limit: int = 3) -> list[Repair]:
+        """The smallest changes of base facts that make the statement valid; none for one that is, or beyond mending."""
+        atom = self._statement(statement)
+        refusal = self.why_not(atom, history)
+        if refusal is None:
+            return []
+        standing = {v.sentence for v in self._model.constraints.always}
+
+        def works(candidate: Repair) -> bool:
+            changed = self.changed(candidate)
+            broken = {v.sentence for v in changed._model.constraints.always}
+            return broken <= standing and changed.verify(atom, history).valid is True
+
+        return repairs(self, refusal, works, limit)
+
+    def changed(self, repair: Repair) -> KnowledgeBase:
+        """A copy of the knowledge base with facts added and removed; this one stays as it is."""
+        gone = {Clause(fact) for fact in repair.remove}
+        kept = [c for c in self._clauses if c not in gone]
+        base = KnowledgeBase([*kept, *(Clause(fact) for fact in sorted(repair.add, key=repr))], self._dynamic)
+        base.declare_statements(self._statements)
+        base._dynamic |= set(self._model.program.clauses)  # a predicate that loses its last fact is still known
+        return base
+
     # --- the parts below -------------------------------------------------------------------------------------------
 
     def __getattr__(self, name: str) -> Predicate:
@@ -235,6 +261,14 @@ class KnowledgeBase:
         if all(name != defined for defined, _ in (*known, *SYSTEM)):
             raise AttributeError(undefined_sentence((name, 0), known))
         return Predicate(self, name)
+
+    def clauses_of(self, indicator: Indicator) -> Sequence[Clause]:
+        """The clauses of one predicate, in the author's order; none when it is not defined."""
+        return self._model.program.clauses.get(indicator, ())
+
+    def defines(self, name: str, arity: int) -> bool:
+        """Whether a predicate has clauses here or is declared dynamic."""
+        return (name, arity) in self._model.program.clauses
 
     def check_known(self, indicator: Indicator) -> None:
         """Refuse a predicate nobody defines.
@@ -291,7 +325,13 @@ class KnowledgeBase:
         return list(self._statements) or [i for i in derived if i in model.relations]
 
     def _undefined(self, indicator: Indicator) -> str:
-        return undefined_sentence(indicator, self._statements or self._model.program.clauses)
+        """Why a statement whose predicate nobody defines is invalid, with what may have been meant."""
+        known = list(self._statements) or list(self._model.program.clauses)
+        name, arity = indicator
+        if any(name == other for other, _ in known):
+            return undefined_sentence(indicator, known)
+        close = get_close_matches(name, sorted({other for other, _ in known}), n=1)
+        return f"there is no action {name}/{arity} here" + (f"; did you mean {close[0]}?" if close else "")
 
     def _statement(self, statement: Statement) -> Compound:
         return _statement_of_text(statement) if isinstance(statement, str) else predication(statement)

@@ -92,7 +92,7 @@ def _compile(
 ) -> Step:
     if literal.is_comparison:
         return _comparison_step(literal, known, slots, then)
-    relation = relations.get(literal.atom.indicator) or Relation(*literal.atom.indicator)
+    relation = relations[literal.atom.indicator]
     args = literal.atom.args
     columns = tuple(c for c, arg in enumerate(args) if set(variables_of(arg)) <= known)
     key = _row_builder([args[c] for c in columns], slots)

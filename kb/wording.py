@@ -7,6 +7,7 @@ from casper.kb.terms import Compound, Variable, as_term, is_ground
 from casper.kb.writer import term_text
 
 _ADJECTIVE_ENDINGS = ("able", "ible", "ful", "less", "ing", "ed", "ous", "ive", "al", "y", "ic", "ent", "ant")
+_MASS_NOUNS = frozenset({"food", "water", "furniture", "equipment", "cutlery", "bread", "milk"})
 _NOUNS = frozenset({"meal", "food", "animal", "bed", "ring", "agent", "patient", "body", "toy", "tray", "key", "robot"})
 
 
@@ -24,9 +25,9 @@ def failure_sentence(literal: Literal) -> str:
 
 
 def noun_phrase(name: str) -> str:
-    """A predicate's name as what something is: ``a vessel``, ``an agent``, but ``eatable``."""
+    """A predicate's name as what something is: ``a vessel``, ``an agent``, but ``eatable`` and ``food``."""
     words = name.replace("_", " ")
-    if words not in _NOUNS and words.endswith(_ADJECTIVE_ENDINGS):
+    if words in _MASS_NOUNS or (words not in _NOUNS and words.endswith(_ADJECTIVE_ENDINGS)):
         return words
     return f"{'an' if words[:1] in 'aeiou' else 'a'} {words}"
 

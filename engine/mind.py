@@ -1,0 +1,137 @@
+"""The mind: world states in, events out. One step of data, from left to right (docs/architecture.md):
+
+    world state -> QSRs -> target, destination -> movement -> action -> verdict -> explanations -> goal -> plan
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from casper.engine.actions import Prediction, action_recogniser, context_table, contextualise
+from casper.engine.domain import Domain
+from casper.engine.events import Event
+from casper.engine.focus import Focus, FocusEstimator, focus_settings
+from casper.engine.movements import Movement, movement_classifier
+from casper.engine.observation import Observation
+from casper.engine.perception import Perception, perception_settings
+from casper.engine.supervisor import Supervisor
+from casper.engine.tracking import Tracker, tracker_settings
+from casper.engine.verification import Statement, Verifier
+from casper.engine.world import WorldState
+from casper.kb.terms import as_term
+from casper.kb.validity import Verdict
+from casper.kb.writer import term_text
+
+
+class Mind:
+    """Watches one partner of a domain.
+
+    Args:
+        domain: where it happens.
+        verification: False never asks the knowledge base about an observation; the explainer sees names only.
+        policy: when to commit to a goal (`engine.policy`).
+        helps: False predicts without planning to help.
+
+    Raises:
+        DomainError: the domain lacks what perception needs (movements, transitions, …), or a setting is wrong.
+    """
+
+    def __init__(
+        self, domain: Domain, *, verification: bool = True, policy: str = "strict", helps: bool = True
+    ) -> None:
+        rows = domain.kb.rows
+        self.domain = domain
+        self.tracker = Tracker(tracker_settings(rows))
+        self.perception = Perception(perception_settings(rows), domain.partner)
+        self.focus = FocusEstimator(focus_settings(rows))
+        self.movements = movement_classifier(rows)
+        self.actions = action_recogniser(rows)
+        self.contexts = context_table(rows)
+        self.verifier = Verifier(domain.kb) if verification and domain.verifies else None
+        self.reading = domain.reading(policy, verification)
+        self.supervisor = Supervisor(self.reading, domain.robot if helps else None)
+        self._known_actions = {name for name, _ in domain.library.actions}
+        self._refused: str | None = None  # the statement that was refused last: its verdict is told once
+
+    def update(self, world: WorldState) -> list[Event]:
+        """Take in one world state; what was seen, believed, refused, concluded and planned.
+
+        Raises:
+            WorldStateError: time does not advance, or a coordinate is no finite number; the state is not taken in,
+                and the mind can go on with the next one.
+        """
+        relations = self.perception.update(self.tracker.update(world))
+        if relations is None:
+            return []
+        focus = self.focus.update(relations)
+        movement = self.movements.update(relations, focus)
+        events = [_focus_event(focus), _movement_event(movement)]
+        prediction = self.actions.update(movement)
+        if prediction is not None:
+            events.extend(self._consider(prediction, focus))
+        return events
+
+    def summary(self, goal: str | None = None, seed: int | None = None) -> dict[str, Any]:
+        """The data of a ``summary`` event; ``goal`` is what the partner really wanted, where somebody knows."""
+        figures = self.supervisor.summary()
+        correct = None if goal is None else figures["predicted"] == goal
+        nobody: dict[str, Any] = {"actions": [], "done": False}
+        rest = {"robot": nobody, "verification": self.verifier is not None, "seed": seed}
+        return {"goal": goal, "correct": correct, **figures, **rest}
+
+    def _consider(self, prediction: Prediction, focus: Focus) -> Iterator[Event]:
+        """An action seems to have happened: put it into context, verify it, and pass it on to the reading."""
+        action = contextualise(prediction.action, focus.destination, self.contexts)
+        if action is None or focus.target is None:
+            return  # not yet known what it means; the prediction stands, and the next step may tell
+        statement = Statement(prediction.t, self.domain.partner, action, focus.target, focus.destination)
+        if str(statement) == self._refused:
+            return
+        yield Event("action", prediction.t, {"statement": str(statement), "score": prediction.score})
+        observation: Observation | None
+        if self.verifier is not None:
+            verdict = self.verifier.judge(statement)
+            yield _verdict_event(prediction.t, verdict)
+            if not verdict.valid:
+                self._refused = str(statement)
+                return
+            observation = self.verifier.accept(verdict, prediction.t)
+        else:
+            observation = Observation(action)
+        self._refused = None
+        self.actions.accept()
+        yield from self._read(observation, prediction.t)
+
+    def _read(self, observation: Observation, t: float) -> Iterator[Event]:
+        if observation.action not in self._known_actions:
+            yield Event("warning", t, {"message": f"{observation} is in no plan; it explains nothing"})
+            return
+        self.reading.observe(observation)
+        if self.reading.count == 0:
+            reasons = self.reading.rejected
+            self.reading.undo()
+            told = "; ".join(f"{goal}: {', '.join(why)}" for goal, why in reasons.items())
+            yield Event("warning", t, {"message": f"{observation} fits no plan any more and is left out ({told})"})
+            return
+        yield Event("reading", t, self.reading.to_json())
+        yield from self.supervisor.update(t)
+
+
+def _focus_event(focus: Focus) -> Event:
+    data = {"target": focus.target, "destination": focus.destination, "scores": dict(focus.scores)}
+    return Event("focus", focus.t, data)
+
+
+def _movement_event(movement: Movement) -> Event:
+    return Event("movement", movement.t, {"movement": movement.name, "features": movement.features._asdict()})
+
+
+def _verdict_event(t: float, verdict: Verdict) -> Event:
+    data = {
+        "statement": term_text(as_term(verdict.statement)),
+        "valid": verdict.valid,
+        "completed": term_text(as_term(verdict.completed)),
+        "reasons": list(verdict.reasons),
+    }
+    return Event("verdict", t, data)

@@ -1,0 +1,100 @@
+"""The supervisor (paper section III-G): commits to a goal, holds the collaborative plan, and says when to act."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from casper.engine.collaboration import CollaborativePlan
+from casper.engine.events import Event
+from casper.engine.explanation import Explanation
+from casper.engine.reading import Reading
+from casper.kb.terms import Compound
+
+
+@dataclass(frozen=True, slots=True)
+class Commitment:
+    """The goal the robot believes in: since when, from which explanation, and its part in it."""
+
+    goal: str
+    t: float
+    explanation: Explanation
+    plan: CollaborativePlan
+
+
+class Supervisor:
+    """Turns a reading's outcome into a plan and keeps the plan in step with what the partner does.
+
+    ``robot`` None watches only: goals are predicted, nothing is planned.
+    """
+
+    def __init__(self, reading: Reading, robot: str | None) -> None:
+        self.reading, self.robot = reading, robot
+        self.commitment: Commitment | None = None
+        self.waiting: tuple[Compound, ...] = ()
+        self.actions: tuple[Compound, ...] = ()
+
+    @property
+    def ready(self) -> bool:
+        """Whether the robot's turn has come: there is something to do and nothing left to wait for."""
+        return bool(self.actions) and not self.waiting
+
+    def update(self, t: float) -> Iterator[Event]:
+        """Look at the reading after an observation; yields ``prediction`` and ``plan`` events where things changed."""
+        goal = self.reading.outcome
+        if goal is not None and (self.commitment is None or self.commitment.goal != goal):
+            yield from self._commit(goal, t)
+        elif self.commitment is not None:
+            yield from self._follow(self.commitment, t)
+
+    def summary(self) -> dict[str, Any]:
+        """The figures of the prediction, at the moment it was made (paper table "results")."""
+        made = self.commitment
+        if made is None:
+            nothing = {"predicted": None, "prediction_time": None}
+            return {**nothing, "observed": 0, "missed": 0, "waiting": 0, "planned": 0}
+        return {
+            "predicted": made.goal,
+            "prediction_time": made.t,
+            "observed": len(made.explanation.marks),
+            "missed": made.explanation.missed,
+            "waiting": len(made.plan.waiting),
+            "planned": len(made.plan.actions),
+        }
+
+    def _best_of(self, goal: str) -> Explanation | None:
+        return next((e for e in self.reading.explanations() if e.goal == goal), None)
+
+    def _commit(self, goal: str, t: float) -> Iterator[Event]:
+        explanation = self._best_of(goal)
+        if explanation is None:
+            return
+        plan = self.reading.plan_for(self.robot or "", explanation)
+        assert plan is not None
+        self.commitment = Commitment(goal, t, explanation, plan)
+        observed = len(explanation.marks)
+        data = {"goal": goal, "confidence": explanation.share, "observed": observed, "missed": explanation.missed}
+        yield Event("prediction", t, {**data, "posterior": self.reading.posterior})
+        if self.robot is not None:
+            self.waiting, self.actions = plan.waiting, plan.actions
+            yield self._plan_event(t)
+
+    def _follow(self, commitment: Commitment, t: float) -> Iterator[Event]:
+        """The partner went on: wait for less, and leave out what they did themselves."""
+        explanation = self._best_of(commitment.goal)
+        if explanation is None or self.robot is None:
+            return
+        last, plan = max(explanation.marks, default=-1), commitment.plan
+        first = plan.leaves[0] if plan.leaves else len(explanation.leaves)
+        waiting = plan.waiting[len(plan.waiting) - max(first - last - 1, 0) :] if first > last + 1 else ()
+        actions = tuple(a for leaf, a in zip(plan.leaves, plan.actions) if leaf > last)
+        if (waiting, actions) != (self.waiting, self.actions):
+            self.waiting, self.actions = waiting, actions
+            yield self._plan_event(t)
+
+    def _plan_event(self, t: float) -> Event:
+        assert self.commitment is not None and self.robot is not None
+        goal = self.commitment.goal
+        shown = CollaborativePlan(self.robot, goal, self.waiting, self.actions, ()).to_json()
+        return Event("plan", t, {**shown, "ready": self.ready})

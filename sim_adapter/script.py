@@ -1,0 +1,62 @@
+"""What the simulated partner will do for a goal: the goal's plan as steps of skills."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from casper.engine.domain import Domain
+from casper.engine.matching import Mismatch, bindings_of, settle
+from casper.kb.errors import DomainError, PlanError
+from casper.kb.terms import Compound, is_ground, substitute
+from casper.kb.writer import term_text
+from casper.plans.library import GOAL
+from casper.plans.plan import Plan
+from casper.sim_adapter.steps import Step
+
+
+@dataclass(frozen=True, slots=True)
+class ScriptedAction:
+    """An action of a plan and the skill that carries it out."""
+
+    action: Compound
+    step: Step
+
+
+def script_for(domain: Domain, goal: str) -> list[ScriptedAction]:
+    """The goal's first plan as the partner would do it, every action fully known.
+
+    Raises:
+        DomainError: there is no such goal. PlanError: an action has unknown parts that the rules do not settle.
+    """
+    plan = next((p for p in domain.library.plans if p.label == goal), None)
+    if plan is None:
+        raise DomainError(f"there is no goal {goal!r}: choose {', '.join(domain.library.goals)}")
+    return [ScriptedAction(action, step_for(domain, action)) for action in _grounded(domain, plan)]
+
+
+def step_for(domain: Domain, action: Compound) -> Step:
+    """The skill behind an action: what a context turns ``use`` into is a use, anything else is a skill by its name."""
+    if action.arity != 2:
+        raise PlanError(f"{term_text(action)} cannot be acted out: a target and a destination are needed")
+    skills = {str(meaning): str(skill) for skill, _, meaning in domain.kb.rows("context", 3)}
+    return Step(skills.get(action.functor, action.functor), str(action[1]), str(action[2]))
+
+
+def _grounded(domain: Domain, plan: Plan) -> list[Compound]:
+    """The plan's actions with the goal's parameters settled and every open part chosen: the first valid one."""
+    unknown = (None,) * len(plan.variables)
+    settled = settle(domain.kb, plan, unknown) if domain.kb.defines(*GOAL) else unknown
+    if isinstance(settled, Mismatch):
+        raise PlanError(f"nobody can pursue {plan.label}: {', '.join(settled.reasons)}", plan.place)
+    known = bindings_of(plan, settled)
+    return [_chosen(domain, substitute(leaf, known)) for leaf in plan.leaves]
+
+
+def _chosen(domain: Domain, action: Compound) -> Compound:
+    if is_ground(action):
+        return action
+    statement = Compound((action.functor, domain.partner, *action.args))
+    for answer in domain.kb.instances(Compound(("valid", statement))):
+        if is_ground(answer):
+            return Compound((action.functor, *answer[1].args[1:]))
+    raise PlanError(f"nothing settles the open parts of {term_text(action)}")

@@ -1,0 +1,5 @@
+"""``python -m casper`` is the ``casper`` command."""
+
+from casper.cli import main
+
+main()

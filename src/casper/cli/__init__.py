@@ -1,0 +1,42 @@
+"""The command line. Every command takes ``--json``: one JSON object a line, nothing else on standard output.
+
+Exit codes: 0 done, 1 (verify only) some statement is not valid, 2 a mistake, told in one sentence on standard error.
+"""
+
+from __future__ import annotations
+
+import sys
+
+import typer
+
+from casper.cli.explain import explain
+from casper.cli.query import query
+from casper.cli.run import run
+from casper.cli.train import train
+from casper.cli.verify import verify
+from casper.cli.watch import watch
+from casper.kb.errors import CasperError
+
+app = typer.Typer(
+    name="casper",
+    help="Watch a partner, read the goal behind what they do, say why, and help.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+for command in (run, explain, verify, query, watch, train):
+    app.command()(command)
+
+
+def main() -> None:
+    """The ``casper`` command."""
+    try:
+        app()
+    except CasperError as mistake:
+        print(f"casper: {mistake}", file=sys.stderr)
+        sys.exit(2)
+    except BrokenPipeError:  # the reader of a pipe has had enough, as in ``casper … | head``
+        sys.stderr.close()
+        sys.exit(0)
+    except KeyboardInterrupt:
+        sys.exit(130)

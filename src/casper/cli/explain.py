@@ -1,0 +1,60 @@
+"""``casper explain``: what goals a row of observed actions speaks for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from casper.cli.options import AsJson, DomainName, PolicyName, Unverified
+
+if TYPE_CHECKING:
+    from casper.engine.reading import Reading
+
+
+def explain(
+    domain: DomainName,
+    actions: Annotated[list[str], typer.Argument(help='In order: "eat" or "eat(biscuits, plate)".')],
+    policy: PolicyName = "strict",
+    top: Annotated[int, typer.Option(min=0, help="How many of the best explanations to show.")] = 3,
+    no_verification: Unverified = False,
+    as_json: AsJson = False,
+) -> None:
+    """Explain observed actions: after each one, the goals, the best explanations, and why the others are out."""
+    from casper.cli.output import print_json
+    from casper.engine.domain import Domain
+
+    reading = Domain.load(domain).reading(policy, verification=not no_verification)
+    for action in actions:
+        reading.observe(action)
+        if as_json:
+            print_json(reading.to_json(top))
+        else:
+            _show(reading, top)
+
+
+def _show(reading: Reading, top: int) -> None:
+    from rich.markup import escape
+
+    from casper.cli.output import bar, console
+    from casper.kb.terms import as_term
+    from casper.kb.writer import term_text
+    from casper.plans.tree import tree_text
+
+    out = console()
+    out.rule(f"[bold]{escape(' → '.join(map(str, reading.observations)))}", align="left", style="dim")
+    best = reading.best(max(top, 1))
+    plural = "" if reading.count == 1 else "s"
+    out.print(f"{reading.count} explanation{plural}, confidence {best[0].share if best else 0.0:.2f}")
+    for goal, share in reading.posterior.items():
+        reasons = "; ".join(reading.rejected.get(goal, ()))
+        note = f"  [dim]not this: {escape(reasons)}[/]" if reasons else ""
+        out.print(f"  {goal:<12} [cyan]{bar(share)}[/] {share:.2f}{note}")
+    verdict = f"[bold green]{escape(reading.outcome)}[/]" if reading.outcome else "undecided"
+    out.print(f"outcome: {verdict}")
+    for explanation in best[:top]:
+        out.print(f"[dim]score {explanation.score:.3f}, share {explanation.share:.2f}[/]")
+        out.print(escape(tree_text(explanation.tree())))
+    if best and best[0].frontier:
+        still = ", ".join(term_text(as_term(action)) for action in best[0].frontier)
+        out.print(f"yet to come: {escape(still)}")

@@ -1,0 +1,12 @@
+"""Arguments and options that several commands share."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+DomainName = Annotated[str, typer.Argument(help="A shipped domain (kitchen) or the folder of one.", metavar="DOMAIN")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object a line.")]
+Unverified = Annotated[bool, typer.Option("--no-verification", help="Never ask the knowledge base about observations.")]
+PolicyName = Annotated[str, typer.Option("--policy", help="When to commit to a goal: strict or best.")]

@@ -1,0 +1,31 @@
+"""``casper query``: answers in any direction."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from casper.cli.options import AsJson, DomainName
+
+
+def query(
+    domain: DomainName,
+    goal: Annotated[str, typer.Argument(help='Such as "eat(A, T, D)" or "valid(S)"; capitals are asked for.')],
+    limit: Annotated[int | None, typer.Option(min=1, help="Stop after this many answers.")] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Answer a question to a domain, whichever of its parts are known."""
+    from casper.cli.output import console, json_value, print_json
+    from casper.engine.domain import Domain
+    from casper.kb.writer import term_text
+
+    answers = Domain.load(domain).kb.query(goal, limit)
+    out, count = console(), 0
+    for count, answer in enumerate(answers, 1):
+        if as_json:
+            print_json({name: json_value(value) for name, value in answer.items()})
+        else:
+            out.print(", ".join(f"{name} = {term_text(value)}" for name, value in answer.items()) or "yes", markup=False)
+    if count == 0 and not as_json:
+        out.print("no")

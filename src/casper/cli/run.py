@@ -1,0 +1,54 @@
+"""``casper run``: simulate a partner, watch, predict, help."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from casper.cli.options import AsJson, DomainName, PolicyName, Unverified
+
+if TYPE_CHECKING:
+    from casper.engine.events import Event
+
+
+def run(
+    domain: DomainName,
+    goal: Annotated[str | None, typer.Option(help="What the partner is after; drawn from the seed when left out.")] = None,
+    seed: Annotated[int, typer.Option(help="Of the start, the partner's pace and the sensor's noise.")] = 0,
+    no_verification: Unverified = False,
+    no_robot: Annotated[bool, typer.Option("--no-robot", help="Watch and predict only.")] = False,
+    policy: PolicyName = "strict",
+    speed: Annotated[float, typer.Option(min=0.0, help="Simulated seconds a second; 0 is as fast as it goes.")] = 0.0,
+    as_json: AsJson = False,
+) -> None:
+    """Simulate a partner in the domain's room, read their goal, and do the robot's part."""
+    from casper.cli.extras import needs
+    from casper.cli.output import console, print_json
+    from casper.cli.timeline import Timeline
+    from casper.engine.domain import Domain
+
+    loaded = Domain.load(domain)
+    needs("mujoco", "sim")
+    from casper.sim_adapter.trial import Trial, TrialSettings
+
+    trial = Trial(loaded, TrialSettings(goal, seed, not no_verification, not no_robot, policy))
+    timeline = Timeline(console(), loaded.partner, loaded.robot)
+    if not as_json:
+        timeline.open(loaded.name, seed)
+    for event in _paced(trial.events(), speed):
+        if as_json:
+            print_json(event.to_json())
+        else:
+            timeline.show(event)
+
+
+def _paced(events: Iterable[Event], speed: float) -> Iterator[Event]:
+    """The events, held back to the asked pace."""
+    began = time.monotonic()
+    for event in events:
+        if speed > 0:
+            time.sleep(max(0.0, event.t / speed - (time.monotonic() - began)))
+        yield event

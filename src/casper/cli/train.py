@@ -1,0 +1,73 @@
+"""``casper train``: learn the movements from simulated trials and write them as clauses."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from casper.cli.options import AsJson, DomainName
+
+if TYPE_CHECKING:
+    from casper.engine.movement_tree import Evaluation
+
+
+def train(
+    domain: DomainName,
+    trials: Annotated[int, typer.Option(min=2, help="Scripted trials to learn from.")] = 10,
+    seed: Annotated[int, typer.Option(help="Of the trials and the tree; the same seed gives the same file.")] = 1,
+    leaves: Annotated[int, typer.Option(min=2, help="Leaves the tree may have.")] = 5,
+    output: Annotated[Path | None, typer.Option(help="Where to write; movements.pl of the domain.")] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Learn which movement it is from qualitative relations, judged by leaving one trial out."""
+    from casper.cli.extras import needs
+    from casper.cli.output import print_json
+    from casper.engine.domain import Domain
+    from casper.kb.errors import DomainError
+
+    needs("sklearn", "train")
+    needs("mujoco", "sim")
+    from casper.engine.movement_clauses import compile_tree
+    from casper.engine.movement_tree import fit, leave_one_trial_out
+    from casper.sim_adapter.training import training_samples
+
+    loaded = Domain.load(domain)
+    samples = list(training_samples(loaded, trials, seed))
+    evaluation = leave_one_trial_out(samples, leaves, seed)
+    file = output or loaded.folder / "movements.pl"
+    try:
+        file.write_text(compile_tree(fit(samples, leaves, seed), evaluation), encoding="utf-8")
+    except OSError as mistake:
+        raise DomainError(f"cannot write {file} ({mistake}); choose another place with --output") from None
+    if as_json:
+        print_json(
+            {
+                "samples": len(samples),
+                "trials": trials,
+                "accuracy": evaluation.accuracy,
+                "per_trial": {str(trial): share for trial, share in evaluation.per_trial.items()},
+                "labels": list(evaluation.labels),
+                "confusion": {true: dict(row) for true, row in evaluation.confusion.items()},
+                "file": str(file),
+            }
+        )
+    else:
+        _show(evaluation, len(samples), trials, file)
+
+
+def _show(evaluation: Evaluation, samples: int, trials: int, file: Path) -> None:
+    from rich.table import Table
+
+    from casper.cli.output import console
+
+    out = console()
+    out.print(f"{samples} samples from {trials} trials")
+    out.print(f"leave-one-trial-out accuracy [bold]{evaluation.accuracy:.3f}[/]")
+    table = Table("true \\ taken for", *evaluation.labels, box=None, header_style="dim")
+    for true in evaluation.labels:
+        counts = (evaluation.confusion[true][seen] for seen in evaluation.labels)
+        table.add_row(true, *(str(count) if count else "·" for count in counts))
+    out.print(table)
+    out.print(f"written to {file}", markup=False)

@@ -1,0 +1,56 @@
+"""``casper watch``: read world states (JSON lines) from standard input, so that any robot can feed the mind."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from casper.cli.options import AsJson, DomainName, PolicyName, Unverified
+
+if TYPE_CHECKING:
+    from casper.engine.events import Event
+    from casper.engine.mind import Mind
+
+
+def watch(
+    domain: DomainName,
+    no_verification: Unverified = False,
+    policy: PolicyName = "strict",
+    as_json: AsJson = False,
+) -> None:
+    """Watch a partner through world states on standard input; a bad line is reported and left out."""
+    from casper.cli.output import console, print_json
+    from casper.cli.timeline import Timeline
+    from casper.engine.domain import Domain
+    from casper.engine.mind import Mind
+
+    loaded = Domain.load(domain)
+    mind = Mind(loaded, verification=not no_verification, policy=policy)
+    timeline = Timeline(console(), loaded.partner, loaded.robot)
+    for event in watched(mind, sys.stdin):
+        if as_json:
+            print_json(event.to_json())
+        else:
+            timeline.show(event)
+
+
+def watched(mind: Mind, lines: Iterable[str]) -> Iterator[Event]:
+    """The mind's events for JSON lines of world states; a line that cannot be used becomes a ``warning``."""
+    from casper.engine.events import Event
+    from casper.engine.world import world_state_from_json
+    from casper.kb.errors import WorldStateError
+
+    now = 0.0
+    for number, line in enumerate(lines, 1):
+        if not line.strip():
+            continue
+        try:
+            world = world_state_from_json(line)
+            events = mind.update(world)
+            now = world.t
+        except WorldStateError as mistake:
+            yield Event("warning", now, {"message": f"line {number} is left out: {mistake.sentence}"})
+            continue
+        yield from events
+    yield Event("summary", now, mind.summary())
