@@ -30,6 +30,10 @@ class Features(NamedTuple):
     qtc: str
 
 
+NOT_PERCEIVED = Features("ignore", "ignore", "ignore", "ignore")
+"""The features of a movement that was not told by any, such as a simulated one."""
+
+
 def features(relations: Relations, focus: Focus) -> Features:
     """The features at one moment; the first step, which has no MOS, counts as still."""
     mos = "moving" if relations.moving else "still"
@@ -46,7 +50,7 @@ class Movement:
 
     t: float
     name: str
-    features: Features | None = None
+    features: Features = NOT_PERCEIVED
 
 
 class MovementClassifier:

@@ -9,7 +9,7 @@ from operator import itemgetter
 
 from casper.engine import qsr
 from casper.engine.settings import Rows, number, read_settings, require
-from casper.engine.world import AgentState, ObjectState, WorldState
+from casper.engine.world import AgentState, WorldState
 from casper.kb.errors import WorldStateError
 
 BANDS = (("touch", 0.6), ("near", 2.0), ("medium", 3.0), ("far", 5.0), ("ignore", math.inf))
@@ -116,13 +116,12 @@ class Perception:
         Raises:
             WorldStateError: time that does not advance, or a coordinate that is not finite.
         """
-        check_time(self._t, world.t)
+        check_world(self._t, world)
         self._t = world.t
         agent = world.agents.get(self.agent)
         if agent is None:
             self._before = None
             return None
-        check_agent(self.agent, agent, world.t)
         step = _Step(world.t, (agent.x, agent.y), self._places(world, agent))
         step.moving = self._moving(step)
         angle = self._towards_objects(step, agent)
@@ -130,10 +129,7 @@ class Perception:
         return Relations(world.t, self.agent, step.moving, agent.holding, step.qdc, step.qtc, angle)
 
     def _places(self, world: WorldState, agent: AgentState) -> dict[str, qsr.Point]:
-        places = {}
-        for name, thing in world.objects.items():
-            check_object(name, thing, world.t)
-            places[name] = (thing.x, thing.y)
+        places = {name: (thing.x, thing.y) for name, thing in world.objects.items()}
         if self.settings.snap_held and agent.holding is not None:
             places[agent.holding] = (agent.x, agent.y)
         return places
@@ -171,34 +167,23 @@ class Perception:
         return qsr.qtc(approach, settings.qtc_speed * dt, before.qtc.get(name), settings.qtc_margin * dt)
 
 
-def check_time(before: float | None, now: float) -> None:
-    """Time is finite and later than the world state before.
+def check_world(before: float | None, world: WorldState) -> None:
+    """A world state can follow one at time ``before``, and all of its numbers are finite.
+
+    It is checked as a whole and first, so that one that is refused leaves no trace.
 
     Raises:
-        WorldStateError: otherwise; the sentence names both times.
+        WorldStateError: time that is not finite or does not advance (the sentence names both times), or a
+            coordinate that is not finite (it names the object or agent, and the time).
     """
-    if not math.isfinite(now):
-        raise WorldStateError(f"the time of a world state must be finite, not {now}")
-    if before is not None and now <= before:
-        raise WorldStateError(f"time must advance from one world state to the next: t={now:g} came after t={before:g}")
-
-
-def check_agent(name: str, agent: AgentState, t: float) -> None:
-    """An agent's coordinates and heading are finite.
-
-    Raises:
-        WorldStateError: otherwise; the sentence names the agent and the time.
-    """
-    if not (math.isfinite(agent.x) and math.isfinite(agent.y) and math.isfinite(agent.heading)):
-        raise WorldStateError(f"agent {name} has a coordinate that is not finite at t={t:g}")
-
-
-def check_object(name: str, thing: ObjectState, t: float) -> None:
-    """An object's coordinates are finite, its height as well where there is one.
-
-    Raises:
-        WorldStateError: otherwise; the sentence names the object and the time.
-    """
-    z = thing.z
-    if not (math.isfinite(thing.x) and math.isfinite(thing.y) and (z is None or math.isfinite(z))):
-        raise WorldStateError(f"{name} has a coordinate that is not finite at t={t:g}")
+    isfinite, t = math.isfinite, world.t
+    if not isfinite(t):
+        raise WorldStateError(f"the time of a world state must be finite, not {t}")
+    if before is not None and t <= before:
+        raise WorldStateError(f"time must advance from one world state to the next: t={t:g} came after t={before:g}")
+    for name, agent in world.agents.items():
+        if not (isfinite(agent.x) and isfinite(agent.y) and isfinite(agent.heading)):
+            raise WorldStateError(f"agent {name} has a coordinate that is not finite at t={t:g}")
+    for name, thing in world.objects.items():
+        if not (isfinite(thing.x) and isfinite(thing.y) and (thing.z is None or isfinite(thing.z))):
+            raise WorldStateError(f"{name} has a coordinate that is not finite at t={t:g}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from casper.engine.perception import check_agent, check_object, check_time
+from casper.engine.perception import check_world
 from casper.engine.settings import Rows, read_settings, require
 from casper.engine.world import AgentState, ObjectState, WorldState
 
@@ -70,7 +70,7 @@ class Tracker:
         """
         if not self.settings.enabled:
             return world
-        check_time(self._t, world.t)
+        check_world(self._t, world)
         self._t = world.t
         agents = self._track_agents(world)
         held = {a.holding: a for a in agents.values() if a.holding is not None}
@@ -78,8 +78,7 @@ class Tracker:
         return WorldState(world.t, agents, objects)
 
     def _track_agents(self, world: WorldState) -> dict[str, AgentState]:
-        for name, agent in world.agents.items():
-            check_agent(name, agent, world.t)
+        for name in world.agents:
             if name not in self._agents:
                 self._agents[name] = _AgentTrack()
         seen = {}
@@ -95,8 +94,6 @@ class Tracker:
 
     def _track_object(self, name: str, world: WorldState, holder: AgentState | None) -> ObjectState:
         seen = world.objects.get(name)
-        if seen is not None:
-            check_object(name, seen, world.t)
         track = self._objects.get(name)
         if track is None:
             first = seen if seen is not None or holder is None else ObjectState(holder.x, holder.y)

@@ -1,8 +1,50 @@
 """CASPER in logic: read a partner's intention, say why, and help.
 
-``import casper`` is light: what needs networkx, scikit-learn or MuJoCo is loaded when first used.
+``import casper`` is light: each name below is loaded when it is first used, networkx, scikit-learn and MuJoCo only
+by what needs them.
+
+    from casper import Domain
+    kitchen = Domain.load("kitchen")
+    kitchen.kb.ask("wash(tiago, plate, sink)")            # True
+    print(kitchen.kb.why_not("eat(tiago, meal, plate)"))  # tiago is not a human
+    reading = kitchen.reading()
+    reading.observe("pick_and_place(meal, hobs)")
+    reading.posterior, reading.best(3), reading.frontier, reading.plan_for("tiago")
 """
 
 from __future__ import annotations
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from casper.engine.domain import Domain as Domain
+    from casper.engine.mind import Mind as Mind
+    from casper.engine.reading import Reading as Reading
+    from casper.engine.world import WorldState as WorldState
+    from casper.kb.base import KnowledgeBase as KnowledgeBase
+    from casper.kb.errors import CasperError as CasperError
+    from casper.plans.library import PlanLibrary as PlanLibrary
+
 __version__ = "0.1.0"
+
+_HOMES = {
+    "CasperError": "casper.kb.errors",
+    "Domain": "casper.engine.domain",
+    "KnowledgeBase": "casper.kb.base",
+    "Mind": "casper.engine.mind",
+    "PlanLibrary": "casper.plans.library",
+    "Reading": "casper.engine.reading",
+    "WorldState": "casper.engine.world",
+}
+__all__ = ["CasperError", "Domain", "KnowledgeBase", "Mind", "PlanLibrary", "Reading", "WorldState", "__version__"]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOMES:
+        return getattr(import_module(_HOMES[name]), name)
+    raise AttributeError(f"module 'casper' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

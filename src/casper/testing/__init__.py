@@ -1,1 +1,0 @@
-"""Helpers for test suites that use CASPER."""
