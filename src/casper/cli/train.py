@@ -31,7 +31,7 @@ def train(
     needs("mujoco", "sim")
     from casper.engine.movement_clauses import compile_tree
     from casper.engine.movement_tree import fit, leave_one_trial_out
-    from casper.sim_adapter.training import training_samples
+    from casper.sim_adapter.samples import training_samples
 
     loaded = Domain.load(domain)
     samples = list(training_samples(loaded, trials, seed))

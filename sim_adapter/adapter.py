@@ -1,0 +1,18 @@
+"""MuJoCo state → world state, exactly as things are."""
+
+from __future__ import annotations
+
+from casper.engine.world import AgentState, ObjectState, WorldState
+from casper.sim_adapter.human import Human
+from casper.sim_adapter.physics import Physics
+from casper.sim_adapter.robot import Robot
+
+
+def truth(physics: Physics, human: Human, robot: Robot) -> WorldState:
+    """Everything as it is, without noise, and nothing hidden."""
+    agents = {
+        human.name: AgentState(human.x, human.y, human.heading, human.holding),
+        robot.name: AgentState(*robot.pose, robot.holding),
+    }
+    objects = {name: ObjectState(*spot) for name, spot in physics.positions().items()}
+    return WorldState(physics.time, agents, objects)

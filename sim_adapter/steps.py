@@ -1,0 +1,83 @@
+"""What an agent is asked to do: steps of skills, the queue both agents work through, and how a step fails."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Generator, Iterable
+from dataclasses import dataclass, field
+
+from casper.kb.errors import DomainError
+from casper.sim_adapter.scene import Scene
+
+SKILLS = ("pick_and_place", "use", "walk_to", "still", "stand_aside", "step_back")
+
+Ticks = Generator[None, None, None]
+"""A skill under way: each ``yield`` hands the clock back until the next control step."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One skill with the object it is for, the object it ends at, and (for ``still``) how long, in seconds."""
+
+    skill: str
+    target: str | None = None
+    destination: str | None = None
+    seconds: float = 0.0
+
+    def __str__(self) -> str:
+        names = [name for name in (self.target, self.destination) if name is not None]
+        return f"{self.skill}({', '.join(names)})"
+
+
+def check_objects(scene: Scene, step: Step) -> None:
+    """See that the objects of a step exist and can be used so.
+
+    Raises:
+        DomainError: an object is unknown, the target is fixed, or nothing can be put at the destination.
+    """
+    if step.skill in ("pick_and_place", "use", "walk_to"):
+        scene.thing(step.target)
+    if step.skill in ("pick_and_place", "use"):
+        place = scene.thing(step.destination)
+        if not scene.thing(step.target).movable:
+            raise DomainError(f"{step} cannot be done: {step.target} is fixed")
+        if place.placing is None:
+            raise DomainError(f"{step} cannot be done: the scene has no placing({place.name}, How)")
+
+
+class StepFailed(Exception):
+    """Raised inside a skill that cannot be finished; the sentence says why. Agents catch and report it."""
+
+
+@dataclass(slots=True)
+class StepQueue:
+    """Steps waiting, the one under way, those finished and those that failed (with the reason)."""
+
+    waiting: deque[Step] = field(default_factory=deque)
+    current: Step | None = None
+    done: list[Step] = field(default_factory=list)
+    failed: list[tuple[Step, str]] = field(default_factory=list)
+
+    @property
+    def idle(self) -> bool:
+        """Nothing under way and nothing waiting."""
+        return self.current is None and not self.waiting
+
+    def drop(self, steps: Iterable[Step]) -> list[Step]:
+        """Take steps not yet begun out of the queue, each asked for once; returns those that were there."""
+        dropped = []
+        for step in steps:
+            if step in self.waiting:
+                self.waiting.remove(step)
+                dropped.append(step)
+        return dropped
+
+    def finish(self, reason: str | None = None) -> None:
+        """End the current step: done, or failed for a reason."""
+        if self.current is None:
+            return
+        if reason is None:
+            self.done.append(self.current)
+        else:
+            self.failed.append((self.current, reason))
+        self.current = None
