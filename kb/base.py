@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import lru_cache
@@ -22,9 +22,9 @@ from casper.kb.proof import Proof
 from casper.kb.reader import read_query, read_statement, read_text
 from casper.kb.relation import Relation, Row
 from casper.kb.repair import Repair, repairs
-from casper.kb.solve import DEFAULT_BUDGET, Solver
+from casper.kb.solve import DEFAULT_BUDGET, Computed, Solver
 from casper.kb.terms import Compound, Term, Variable, as_term, is_ground, predication, substitute, unify
-from casper.kb.validity import Constraints, History, Verdict, constraints_of, valid_instances, verify
+from casper.kb.validity import Constraints, History, Verdict, constraints_of, valid_instances, verify, with_history
 from casper.kb.why import prove
 from casper.kb.why_not import Refusal, Violation, attempts
 from casper.kb.writer import program_text, term_text
@@ -73,6 +73,7 @@ class KnowledgeBase:
         Raises:
             ProgramError: a directive nobody knows, or a production.
         """
+        self._cached = None
         for sentence in sentences:
             if isinstance(sentence, Clause):
                 self._clauses.append(sentence)
@@ -80,7 +81,6 @@ class KnowledgeBase:
                 self._dynamic.add(_dynamic(sentence))
             else:
                 raise ProgramError("a plan (-->) belongs in a plan library, not in a knowledge base", sentence.place)
-        self._cached = None
 
     def fact(self, fact: Statement) -> None:
         """State a fact: ``kb.fact("food(biscuits)")`` or ``kb.fact(("food", "biscuits"))``.
@@ -116,8 +116,8 @@ class KnowledgeBase:
 
     def to_text(self) -> str:
         """The clauses as text that reads in as the same model."""
-        declarations = [f":- dynamic({name} / {arity}).\n" for name, arity in sorted(self._dynamic)]
-        return "".join(declarations) + program_text(self._clauses)
+        declared = [Directive(Compound(("dynamic", Compound(("/", *i))))) for i in sorted(self._dynamic)]
+        return program_text([*declared, *self._clauses])
 
     # --- questions -------------------------------------------------------------------------------------------------
 
@@ -159,11 +159,15 @@ class KnowledgeBase:
                     yield {name.name: value for name, value in zip(names, row)}
 
     def instances(self, statement: Statement) -> Iterator[Compound]:
-        """Every instance of one atom that holds, lazily; a part that may be anything stays a variable."""
+        """Every instance of one atom that holds, lazily, each once; a part that may be anything stays a variable."""
         atom = self._statement(statement)
         self.check_known(atom.indicator)
+        seen: set[Compound] = set()
         for solution in self.solver().solve([Literal(atom)]):
-            yield substitute(atom, solution)
+            instance: Compound = substitute(atom, solution)
+            if instance not in seen:
+                seen.add(instance)
+                yield instance
 
     def rows(self, name: str, arity: int) -> Iterator[Row]:
         """The rows of a predicate as tuples of constants; none when it is not defined."""
@@ -195,16 +199,20 @@ class KnowledgeBase:
             return self.why_not(predication(atom[1]), history)
         if atom.indicator not in self._model.program.clauses:
             return Refusal(atom, undefined=self._undefined(atom.indicator))
-        if next(self.instances(atom), None) is None:
-            tried = tuple(attempts(atom, self._model.program.clauses[atom.indicator], self.solver()))
-            clashes = self._violations(atom, history) if is_ground(atom) else ()
-            return Refusal(atom, tried, tuple(clashes))
-        if next(valid_instances(atom, history, self.solver(), self._model.constraints), None) is not None:
+        history = self._history(history)
+        provable = next(self.solver(history=history).solve([Literal(atom)]), None)
+        if provable is None:
+            tried = tuple(attempts(atom, self._model.program.clauses[atom.indicator], self.solver(history=history)))
+            return Refusal(atom, tried, tuple(self._violations(atom, history) if is_ground(atom) else ()))
+        if next(valid_instances(atom, self.solver(history=history), self._model.constraints), None) is not None:
             return None
-        return Refusal(atom, (), tuple(self._violations(next(self.instances(atom)), history)))
+        return Refusal(atom, (), tuple(self._violations(substitute(atom, provable), history)), provable=True)
 
     def _violations(self, atom: Compound, history: History) -> Iterator[Violation]:
-        return self._model.constraints.broken_by(atom, history, self.solver())
+        return self._model.constraints.broken_by(atom, self.solver(history=history))
+
+    def _history(self, history: History) -> History:
+        return [(self._statement(statement), seconds) for statement, seconds in history]
 
     def verify(self, statement: Statement, history: History = _EMPTY) -> Verdict:
         """Judge a statement: provable, and no constraint broken when it is claimed after the history.
@@ -214,7 +222,8 @@ class KnowledgeBase:
         atom = self._statement(statement)
         if atom.indicator not in self._model.program.clauses:
             return Verdict(atom, False, atom, Refusal(atom, undefined=self._undefined(atom.indicator)))
-        verdict = verify(atom, history, self.solver(), self._model.constraints)
+        history = self._history(history)
+        verdict = verify(atom, self.solver(history=history), self._model.constraints)
         if verdict.valid is not False:
             return verdict
         return Verdict(atom, False, atom, self.why_not(atom, history))
@@ -283,32 +292,37 @@ class KnowledgeBase:
         """The relation of a predicate whose rows are all listed; None for one that is answered top-down."""
         return self._model.relations.get(indicator)
 
-    def solver(self, budget: int = DEFAULT_BUDGET) -> Solver:
-        """A fresh search over everything that holds."""
+    def solver(self, budget: int = DEFAULT_BUDGET, history: History = _EMPTY) -> Solver:
+        """A fresh search over everything that holds, after what happened earlier."""
         model = self._model
-        computed = {("valid", 1): self._valid, ("never", 1): self._broken}
-        return Solver(model.relations, model.program.clauses, computed, budget)
+        return Solver(with_history(model.relations, history), model.program.clauses, self._computed, budget)
+
+    @property
+    def _computed(self) -> Mapping[Indicator, Computed]:
+        return {("valid", 1): self._valid, ("never", 1): self._broken}
 
     @property
     def _model(self) -> _Model:
         if self._cached is None:
             program = analyse(self._clauses, self._dynamic)
-            relations = materialise(program)
-            solver = Solver(relations, program.clauses, {("valid", 1): self._valid, ("never", 1): self._broken})
+            try:
+                relations = materialise(program)
+            except RecursionError:
+                raise ProgramError("the facts hold a term that is nested too deeply") from None
+            solver = Solver(relations, program.clauses, self._computed)
             self._cached = _Model(program, relations, constraints_of(program, solver))
         return self._cached
 
     def _valid(self, atom: Compound) -> Iterator[Compound]:
         """The computed relation valid/1."""
         wanted = atom[1]
-        patterns = (
-            [Compound([n, *(Variable(f"V{i}") for i in range(a))]) for n, a in self._statement_predicates()]
-            if isinstance(wanted, Variable)
-            else [predication(wanted)]
-        )
+        if isinstance(wanted, Variable):
+            patterns = [Compound([n, *(Variable(f"V{i}") for i in range(a))]) for n, a in self._statement_predicates()]
+        else:
+            patterns = [predication(wanted)] if isinstance(wanted, (str, tuple)) else []  # a number is no statement
         for pattern in patterns:
             if pattern.indicator in self._model.program.clauses:
-                found = valid_instances(pattern, _EMPTY, self.solver(), self._model.constraints)
+                found = valid_instances(pattern, self.solver(), self._model.constraints)
                 yield from (Compound(("valid", as_term(instance))) for instance in found)
 
     def _broken(self, atom: Compound) -> Iterator[Compound]:
@@ -347,6 +361,8 @@ def _dynamic(directive: Directive) -> Indicator:
     """The predicate of a ``:- dynamic(name/arity).`` declaration."""
     term = directive.term
     inner = term[1] if term.indicator == ("dynamic", 1) else None
-    if isinstance(inner, Compound) and inner.indicator == ("/", 2) and isinstance(inner[2], int):
-        return str(inner[1]), inner[2]
+    if isinstance(inner, Compound) and inner.indicator == ("/", 2):
+        name, arity = inner.args
+        if isinstance(name, str) and isinstance(arity, int) and arity >= 0:
+            return name, arity
     raise ProgramError(f"the only directive is :- dynamic(name/arity), not {term_text(as_term(term))}", directive.place)

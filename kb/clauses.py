@@ -53,8 +53,7 @@ class Clause:
 class Production:
     """A grammar clause ``head --> body``: the head is done by doing what the body lists, in order.
 
-    ``body`` is a term: ``','``/n of items, ``';'``/n of alternatives, or a single item; ``places`` holds where each
-    compound item of it stands, in the order of the text.
+    ``body`` is a term: ``','``/n of items, ``';'``/n of alternatives, or a single item.
     """
 
     head: Compound

@@ -67,6 +67,9 @@ def evaluate(term: Term) -> int | float | None:
         left, right = evaluate(term[1]), evaluate(term[2])
         if left is None or right is None or (term.functor == "/" and right == 0):
             return None
-        value: int | float = _ARITHMETIC[term.functor](left, right)
+        try:
+            value: int | float = _ARITHMETIC[term.functor](left, right)
+        except OverflowError:  # an integer too large to become a float
+            return None
         return value if abs(value) <= _LARGEST else None
     return None

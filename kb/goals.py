@@ -64,6 +64,8 @@ class Predicate:
 def stored_goal(relation: Relation, args: Row, state: State) -> Iterator[State]:
     """The states in which the (walked) arguments are a row of the relation."""
     open_ = [(at, arg) for at, arg in enumerate(args) if not _is_closed(arg)]
+    if not _is_hashable(args):
+        return  # a Python list or set is no term: it stands in no row
     if not open_:
         if args in relation:
             yield state
@@ -89,6 +91,14 @@ def _is_closed(term: Any) -> bool:
     if isinstance(term, tuple):
         return all(_is_closed(part) for part in term)
     return not isvar(term)
+
+
+def _is_hashable(args: Row) -> bool:
+    try:
+        hash(args)
+    except TypeError:
+        return False
+    return True
 
 
 def _derived(base: KnowledgeBase, name: str, args: Row, state: State) -> Iterator[State]:

@@ -66,7 +66,7 @@ def _cost(item: tuple[int, Literal], known: set[Variable], delta_at: int | None)
         bindings = {v: 0 for v in known}
         return (-1 if is_ready(literal, bindings) and _decides(literal, known) else 3, 0, at)
     if literal.negated:
-        return (-1 if all(v in known or v.name.startswith("_") for v in variables) else 3, 0, at)
+        return (-1 if all(v in known or v.is_anonymous for v in variables) else 3, 0, at)
     return (1, -sum(1 for arg in literal.atom.args if set(variables_of(arg)) <= known), at)
 
 
@@ -97,9 +97,9 @@ def _compile(
     columns = tuple(c for c, arg in enumerate(args) if set(variables_of(arg)) <= known)
     key = _row_builder([args[c] for c in columns], slots)
     rest = [(c, arg) for c, arg in enumerate(args) if c not in columns]
-    if literal.negated:
-        return _absence_step(relation, columns, key, then)
     bind = _binder(rest, known, slots)
+    if literal.negated:
+        return _absence_step(relation, columns, key, bind, then)
     if delta is not None:
         return _delta_step(delta, columns, key, bind, then)
 
@@ -124,10 +124,10 @@ def _delta_step(
 
 
 def _absence_step(
-    relation: Relation, columns: tuple[int, ...], key: Callable[[Environment], Row], then: Step
+    relation: Relation, columns: tuple[int, ...], key: Callable[[Environment], Row], bind: _Bind, then: Step
 ) -> Step:
     def absent(environment: Environment) -> None:
-        if not relation.matching(columns, key(environment)):
+        if not any(bind(row, environment) for row in relation.matching(columns, key(environment))):
             then(environment)
 
     return absent

@@ -82,10 +82,11 @@ class _Stratum:
                 delta[indicator] = new
         total = sum(len(r) for r in self.relations.values())
         if total > self.most_rows:
-            raise BudgetExceeded(f"the rules derive more than {self.most_rows} facts; {_largest(delta)} still grows")
+            most = _largest(self.relations)
+            raise BudgetExceeded(f"there are more than {self.most_rows} facts; {most} has most of them")
         return delta
 
 
-def _largest(delta: dict[Indicator, list[Row]]) -> str:
-    name, arity = max(delta, key=lambda indicator: len(delta[indicator]))
+def _largest(relations: dict[Indicator, Relation]) -> str:
+    name, arity = max(relations, key=lambda indicator: len(relations[indicator]))
     return f"{name}/{arity}"

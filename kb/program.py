@@ -6,18 +6,19 @@ situational (claim/1, did/2), and no recursion builds ever larger terms. Every o
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import TypeAlias
 
-from casper.kb.clauses import Clause, Literal
-from casper.kb.errors import ProgramError
+from casper.kb.clauses import COMPARISONS, NOWHERE, Clause, Literal
+from casper.kb.errors import Place, ProgramError
 from casper.kb.terms import Compound, Variable, is_ground, variables_of
 
 Indicator: TypeAlias = tuple[str, int]
 SITUATION: tuple[Indicator, ...] = (("claim", 1), ("did", 2))
-SYSTEM: tuple[Indicator, ...] = (*SITUATION, ("valid", 1), ("never", 1))
+COMPUTED: tuple[Indicator, ...] = (("valid", 1), ("never", 1))
+SYSTEM: tuple[Indicator, ...] = (*SITUATION, *COMPUTED)
 
 
 @dataclass(frozen=True)
@@ -38,15 +39,16 @@ def analyse(clauses: Iterable[Clause], dynamic: Iterable[Indicator] = ()) -> Pro
         ProgramError: an undefined predicate, a redefined system predicate, a constraint without a sentence,
             a variable that nothing binds under a negation, or negation through recursion (the cycle is named).
     """
-    predicates: dict[Indicator, list[Clause]] = {indicator: [] for indicator in dynamic}
+    predicates: dict[Indicator, list[Clause]] = {}
+    for indicator in dynamic:
+        _check_own(indicator, NOWHERE)
+        predicates[indicator] = []
     constraints: list[Clause] = []
     for clause in clauses:
-        if clause.is_constraint:
+        if clause.head.functor == "never":
             constraints.append(_checked_constraint(clause))
             continue
-        if clause.head.indicator in SYSTEM:
-            name, arity = clause.head.indicator
-            raise ProgramError(f"{name}/{arity} is defined by the system; choose another name", clause.place)
+        _check_own(clause.head.indicator, clause.place)
         predicates.setdefault(clause.head.indicator, []).append(clause)
     table = {indicator: tuple(found) for indicator, found in predicates.items()}
     for clause in (*(c for found in table.values() for c in found), *constraints):
@@ -54,7 +56,7 @@ def analyse(clauses: Iterable[Clause], dynamic: Iterable[Indicator] = ()) -> Pro
             check_defined(literal, table)
             _check_bound(literal, clause)
     levels = _levels(table)
-    situational = _dependents(table, set(SITUATION) | {("valid", 1)})
+    situational = _dependents(table, set(SYSTEM))
     top_down = situational | _unlisted(table)
     top_down = _dependents(table, top_down) | top_down
     heights = sorted({level for indicator, level in levels.items() if indicator not in top_down})
@@ -62,7 +64,15 @@ def analyse(clauses: Iterable[Clause], dynamic: Iterable[Indicator] = ()) -> Pro
     return Program(table, tuple(constraints), strata, frozenset(situational), frozenset(top_down))
 
 
-def check_defined(literal: Literal, known: Iterable[Indicator]) -> None:
+def _check_own(indicator: Indicator, place: Place) -> None:
+    """Refuse to define what the system defines."""
+    name, arity = indicator
+    if indicator in SYSTEM or (name in COMPARISONS and arity == 2):
+        sentence = f"{name}/{arity} is defined by the system; choose another name"
+        raise ProgramError(sentence, place if place.line else None)
+
+
+def check_defined(literal: Literal, known: Collection[Indicator]) -> None:
     """Refuse a condition whose predicate nobody defines, with the nearest name that somebody does.
 
     Raises:
@@ -70,24 +80,25 @@ def check_defined(literal: Literal, known: Iterable[Indicator]) -> None:
     """
     if literal.is_comparison or literal.atom.indicator in SYSTEM:
         return
-    known = set(known)
     if literal.atom.indicator not in known:
-        raise ProgramError(undefined_sentence(literal.atom.indicator, known), literal.place if literal.place.line else None)
+        place = literal.place if literal.place.line else None
+        raise ProgramError(undefined_sentence(literal.atom.indicator, known), place)
 
 
-def undefined_sentence(indicator: Indicator, known: Iterable[Indicator]) -> str:
+def undefined_sentence(indicator: Indicator, known: Collection[Indicator]) -> str:
     """The sentence for a predicate that is not there: another arity, a likely misspelling, or what to do."""
     name, arity = indicator
     arities = sorted(a for n, a in known if n == name)
     if arities:
-        return f"{name} takes {' or '.join(map(str, arities))} arguments, not {arity}"
+        noun = "argument" if arities == [1] else "arguments"
+        return f"{name} takes {' or '.join(map(str, arities))} {noun}, not {arity}"
     close = get_close_matches(name, sorted({n for n, _ in known}), n=1)
     hint = f"did you mean {close[0]}?" if close else "add a fact or a rule for it"
     return f"nothing defines {name}/{arity}; {hint}"
 
 
 def _checked_constraint(clause: Clause) -> Clause:
-    if not isinstance(clause.head[1], str):
+    if not (clause.is_constraint and isinstance(clause.head[1], str)):
         raise ProgramError('a constraint starts with its sentence: never("…") :- …', clause.place)
     if not clause.body:
         raise ProgramError("this constraint is always broken; give it a body", clause.place)
@@ -101,7 +112,7 @@ def _check_bound(literal: Literal, clause: Clause) -> None:
     binders = [x.atom for x in clause.body if not x.negated]
     bound = set(variables_of(clause.head, *binders))
     for variable in literal.variables():
-        if variable not in bound and not variable.name.startswith("_"):
+        if variable not in bound and not variable.is_anonymous:
             sentence = f"{variable.name} stands only under a negation; bind it by a condition, or write _"
             raise ProgramError(sentence, literal.place)
 
@@ -127,7 +138,7 @@ def _unlisted(table: Mapping[Indicator, tuple[Clause, ...]]) -> set[Indicator]:
     """Predicates whose rows cannot all be listed: an unbound head variable, or recursion that builds terms."""
     found = {i for i, clauses in table.items() if not all(is_range_restricted(c) for c in clauses)}
     for indicator, clauses in table.items():
-        builds = any(_builds(c.head) or any(x.atom[0] == "is" for x in c.body) for c in clauses)
+        builds = any(_builds(c.head) or any(_computes(x) for x in c.body) for c in clauses)
         if builds and indicator in _dependents(table, {indicator}):
             found.add(indicator)
     return found
@@ -135,6 +146,11 @@ def _unlisted(table: Mapping[Indicator, tuple[Clause, ...]]) -> set[Indicator]:
 
 def _builds(head: Compound) -> bool:
     return any(isinstance(arg, Compound) and not is_ground(arg) for arg in head.args)
+
+
+def _computes(literal: Literal) -> bool:
+    """Whether a condition can make a term that stands nowhere else: ``N is M + 1``, ``Y = s(X)``."""
+    return literal.is_comparison and (literal.atom[0] == "is" or (literal.atom[0] == "=" and _builds(literal.atom)))
 
 
 def is_range_restricted(clause: Clause) -> bool:
@@ -157,7 +173,7 @@ def is_range_restricted(clause: Clause) -> bool:
     needed = set(variables_of(clause.head))
     for literal in clause.body:
         if literal.is_comparison or literal.negated:
-            needed.update(v for v in literal.variables() if literal.is_comparison or not v.name.startswith("_"))
+            needed.update(v for v in literal.variables() if literal.is_comparison or not v.is_anonymous)
     return needed <= bound
 
 

@@ -32,7 +32,17 @@ class Proof:
     @property
     def height(self) -> int:
         """The number of rule applications on the longest branch."""
-        return 1 + max((p.height for p in self.premises), default=0) if self.premises else 0
+        heights: dict[int, int] = {}  # premises first, in a loop: a chain of rules may be longer than Python's stack
+        waiting = [self]
+        while waiting:
+            proof = waiting[-1]
+            missing = [premise for premise in proof.premises if id(premise) not in heights]
+            if missing:
+                waiting.extend(missing)
+            else:
+                heights[id(proof)] = 1 + max(heights[id(p)] for p in proof.premises) if proof.premises else 0
+                waiting.pop()
+        return heights[id(self)]
 
     def __str__(self) -> str:
         return "\n".join(_lines(self))
@@ -47,15 +57,30 @@ class Proof:
         }
 
 
+def facts_of(proof: Proof) -> Iterator[Compound]:
+    """The given facts a proof rests on, in its order."""
+    waiting = [proof]
+    while waiting:
+        proof = waiting.pop()
+        if _kind(proof) == "fact":
+            yield proof.fact
+        waiting.extend(reversed(proof.premises))
+
+
 def _lines(proof: Proof) -> Iterator[str]:
-    place = _place(proof)
-    note = {"fact": "given", "rule": "", "test": "compared", "absence": "not known", "check": proof.remark}[_kind(proof)]
-    yield _text(proof) + "".join(f"   [{part}]" for part in (note, place) if part)
-    for at, premise in enumerate(proof.premises):
-        last = at == len(proof.premises) - 1
-        first, other = ("└─ ", "   ") if last else ("├─ ", "│  ")
-        for number, line in enumerate(_lines(premise)):
-            yield (other if number else first) + line
+    waiting = [(proof, "", "")]  # with what stands before its first line, and before those of its premises
+    while waiting:
+        proof, first, other = waiting.pop()
+        yield first + _line(proof)
+        for at, premise in reversed(list(enumerate(proof.premises, 1))):
+            last = at == len(proof.premises)
+            waiting.append((premise, other + ("└─ " if last else "├─ "), other + ("   " if last else "│  ")))
+
+
+def _line(proof: Proof) -> str:
+    notes = {"fact": "given", "rule": "", "test": "compared", "absence": "not known", "check": proof.remark}
+    note = notes[_kind(proof)]
+    return _text(proof) + "".join(f"   [{part}]" for part in (note, _place(proof)) if part)
 
 
 def _text(proof: Proof) -> str:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from functools import cache
 from itertools import product
 from pathlib import Path
@@ -16,6 +18,8 @@ from casper.kb.errors import DomainError, Place, ReadError
 from casper.kb.terms import NIL, Compound, Term, Variable, make_list, predication, variables_of
 
 _ESCAPES = {"n": "\n", "t": "\t", "\\": "\\", "'": "'", '"': '"', "0": "\0", "r": "\r"}
+_NAMED = frozenset({"atom", "compound"})  # what a clause can be about
+_CONDITIONS = _NAMED | {"compare"}
 _EXPECTED = {
     "END": "a full stop",
     "RPAR": "')'",
@@ -34,7 +38,8 @@ def read_text(text: str, file: str = "<text>") -> list[Sentence]:
         ReadError: with file, line, column and a caret under the first thing that is not of the language.
     """
     tree = _parse(text, file, "start")
-    return [sentence for part in tree.children for sentence in _sentences(part, file)]
+    with _excerpts(text):
+        return [sentence for part in tree.children for sentence in _sentences(part, file)]
 
 
 def read_file(path: Path) -> list[Sentence]:
@@ -54,7 +59,8 @@ def read_file(path: Path) -> list[Sentence]:
 def read_query(text: str) -> tuple[tuple[Literal, ...], ...]:
     """The alternatives of a query such as ``eat(A, T, D), \\+ A = tiago``: each a conjunction of literals."""
     tree = _parse(text, "<query>", "query").children[0]
-    return tuple(tuple(body) for body in _alternatives(tree, "<query>", _Anonymous()))
+    with _excerpts(text):
+        return tuple(tuple(body) for body in _alternatives(tree, "<query>", _Anonymous("<query>")))
 
 
 def read_statement(text: str) -> Compound:
@@ -89,17 +95,21 @@ def _parse(text: str, file: str, start: str) -> Tree[Any]:
 
 def _read_error(mistake: UnexpectedInput, text: str, file: str) -> ReadError:
     line, column = mistake.line, mistake.column
-    if isinstance(mistake, UnexpectedEOF) or line is None or line < 1:
-        line, column = text.count("\n") + 1, len(text) - (text.rfind("\n") + 1) + 1
+    token = getattr(mistake, "token", None)
+    if mistake.pos_in_stream is not None and text.startswith("/*", mistake.pos_in_stream):
+        return ReadError("this comment is never closed", Place(file, line, column), _excerpt(text, line, column))
     if isinstance(mistake, UnexpectedCharacters):
         character = text[mistake.pos_in_stream or 0]
-        if character in "'\"":
-            return ReadError("this quote is never closed on its line", Place(file, line, column), _excerpt(text, line, column))
         sentence = f"{character!r} does not belong here"
+        if character in "'\"":
+            sentence = "this quote is never closed on its line"
+            return ReadError(sentence, Place(file, line, column), _excerpt(text, line, column))
+    elif isinstance(mistake, UnexpectedEOF) or token is None or token.type == "$END":
+        written = text.rstrip()  # lark reports the last token; the mistake is what is missing behind it
+        line, column = written.count("\n") + 1, len(written) - written.rfind("\n")
+        sentence = "the text ends here, in the middle of a clause"
     else:
-        token = getattr(mistake, "token", None)
-        at_end = token is None or token.type == "$END"
-        sentence = "the text ends here, in the middle of a clause" if at_end else f"{str(token)!r} does not belong here"
+        sentence = f"{str(token)!r} does not belong here"
     expected = set(getattr(mistake, "accepts", None) or getattr(mistake, "allowed", None) or ())
     wanted = [words for name, words in _EXPECTED.items() if name in expected]
     if wanted:
@@ -107,9 +117,22 @@ def _read_error(mistake: UnexpectedInput, text: str, file: str) -> ReadError:
     return ReadError(sentence, Place(file, line, column), _excerpt(text, line, column))
 
 
+@contextmanager
+def _excerpts(text: str) -> Iterator[None]:
+    """Show the line in mistakes that are found after parsing, too."""
+    try:
+        yield
+    except ReadError as mistake:
+        if mistake.place is not None and not mistake.excerpt:
+            mistake.excerpt = _excerpt(text, mistake.place.line, mistake.place.column)
+        raise
+    except RecursionError:
+        raise ReadError("this text is nested too deeply to be read", Place("<query>", 1, 1)) from None
+
+
 def _excerpt(text: str, line: int, column: int) -> str:
-    lines = text.splitlines() or [""]
-    shown = lines[min(line, len(lines)) - 1].replace("\t", " ")
+    lines = text.split("\n")  # as lark counts them: no other character ends a line
+    shown = "".join(c if c.isprintable() else " " for c in lines[min(line, len(lines)) - 1])
     return f"    {shown}\n    {' ' * (column - 1)}^"
 
 
@@ -120,17 +143,17 @@ def _place(tree: Tree[Any] | Token, file: str) -> Place:
 
 def _sentences(tree: Tree[Any], file: str) -> list[Sentence]:
     """The clauses of one sentence: a rule whose body has alternatives is one clause for each."""
-    place, names = _place(tree, file), _Anonymous()
+    place, names = _place(tree, file), _Anonymous(file)
     try:
-        head = _statement(tree.children[0], file, names)
+        if tree.data == "directive":
+            return [Directive(_statement(tree.children[0], file, names), place)]
+        head = _statement(tree.children[0], file, names, _NAMED)
         if tree.data == "fact":
             return [Clause(head, (), place)]
         if tree.data == "rule":
             bodies = _alternatives(tree.children[1], file, names)
             return [Clause(*_renumbered(head, body), place) for body in bodies]
-        if tree.data == "production":
-            return [Production(head, _term(tree.children[1], names), place)]
-        return [Directive(head, place)]
+        return [Production(head, _term(tree.children[1], names), place)]
     except RecursionError:
         raise ReadError("this clause is nested too deeply to be read", place) from None
 
@@ -138,8 +161,8 @@ def _sentences(tree: Tree[Any], file: str) -> list[Sentence]:
 class _Anonymous:
     """Gives each ``_`` of a clause a name of its own that no text can spell: ``_#1``, ``_#2`` …"""
 
-    def __init__(self) -> None:
-        self.count = 0
+    def __init__(self, file: str) -> None:
+        self.file, self.count = file, 0
 
     def next(self) -> Variable:
         self.count += 1
@@ -160,15 +183,20 @@ def _renamed(term: Term, names: dict[Variable, Variable]) -> Term:
     return names.get(term, term) if isinstance(term, Variable) else term
 
 
-def _statement(tree: Tree[Any], file: str, names: _Anonymous) -> Compound:
+def _statement(tree: Tree[Any], file: str, names: _Anonymous, shapes: frozenset[str] | None = None) -> Compound:
+    """The tree as something that can be true; ``shapes`` are the kinds of term allowed (None: all that can)."""
+    while tree.data == "group":
+        tree = tree.children[0]
     term = _term(tree, names)
     try:
-        return predication(term)
+        if shapes is None or tree.data in shapes:
+            return predication(term)
     except TypeError:
-        from casper.kb.writer import term_text
+        pass
+    from casper.kb.writer import term_text
 
-        sentence = f"{term_text(term)} cannot stand here: a name or name(arguments) is needed"
-        raise ReadError(sentence, _place(tree, file)) from None
+    sentence = f"{term_text(term)} cannot stand here: a name or name(arguments) is needed"
+    raise ReadError(sentence, _place(tree, file)) from None
 
 
 def _alternatives(tree: Tree[Any], file: str, names: _Anonymous) -> list[list[Literal]]:
@@ -191,7 +219,7 @@ def _literal(tree: Tree[Any], file: str, names: _Anonymous, negated: bool = Fals
     if tree.data in ("and_", "or_"):
         sentence = "only one condition can be negated at a time; give these a rule of their own and negate its head"
         raise ReadError(sentence, _place(tree, file))
-    return Literal(_statement(tree, file, names), negated, _place(tree, file))
+    return Literal(_statement(tree, file, names, _CONDITIONS), negated, _place(tree, file))
 
 
 def _term(tree: Tree[Any], names: _Anonymous) -> Term:
@@ -202,9 +230,9 @@ def _term(tree: Tree[Any], names: _Anonymous) -> Term:
         case "variable":
             return names.next() if children[0] == "_" else Variable(str(children[0]))
         case "number":
-            return _number(str(children[0]))
+            return _number(children[0], names.file)
         case "negative":
-            return -_number(str(children[1]))
+            return -_number(children[1], names.file)
         case "nil":
             return NIL
         case "group":
@@ -245,5 +273,11 @@ def _name(token: Token) -> str:
     return "".join(parts)
 
 
-def _number(text: str) -> int | float:
-    return int(text) if text.isdigit() else float(text)
+def _number(token: Token, file: str) -> int | float:
+    try:
+        value = int(token) if token.isdigit() else float(token)
+    except ValueError:  # more digits than Python reads
+        value = math.inf
+    if value in (math.inf, -math.inf):
+        raise ReadError("this number is too large", _place(token, file))
+    return value

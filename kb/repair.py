@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from itertools import islice, product
 from typing import TYPE_CHECKING
 
-from casper.kb.clauses import Clause, Literal
+from casper.kb.clauses import Literal
 from casper.kb.program import SYSTEM
+from casper.kb.proof import facts_of
 from casper.kb.terms import Compound, as_term, is_ground
 from casper.kb.why_not import Refusal, attempts
 from casper.kb.writer import term_text
@@ -67,11 +68,22 @@ def repairs(base: KnowledgeBase, refusal: Refusal, works: Callable[[Repair], boo
 
 
 def _candidates(base: KnowledgeBase, refusal: Refusal) -> Iterator[Repair]:
+    """Ways to make the statement provable, each with ways to end every clash."""
+    clashes = [list(_unclash(base, violation.clash)) for violation in refusal.violations]
+    for proof in _provable(base, refusal):
+        yield from (proof.joined(_joined(choice)) for choice in product(*clashes))
+
+
+def _provable(base: KnowledgeBase, refusal: Refusal) -> Iterator[Repair]:
+    if refusal.undefined:
+        return
+    if refusal.provable:
+        yield Repair()
+        return
+    if not any(c.body for c in base.clauses_of(refusal.statement.indicator)):
+        yield from _mend(base, Literal(refusal.statement), DEEPEST)
     for attempt in sorted(refusal.attempts, key=lambda a: len(a.failed)):
         yield from _all_of(base, attempt.failed, DEEPEST)
-    clashes = [list(_unclash(base, violation.clash)) for violation in refusal.violations]
-    if clashes and not refusal.attempts:
-        yield from (_joined(choice) for choice in product(*clashes))
 
 
 def _all_of(base: KnowledgeBase, failed: Iterable[Literal], depth: int) -> Iterator[Repair]:
@@ -113,5 +125,7 @@ def _unclash(base: KnowledgeBase, clash: Iterable[Literal]) -> Iterator[Repair]:
 
 
 def _remove(base: KnowledgeBase, atom: Compound) -> Iterator[Repair]:
-    if is_ground(atom) and Clause(atom) in base.clauses_of(atom.indicator):
-        yield Repair(remove=frozenset({atom}))
+    """Ways to make what holds fail: remove one of the facts that its proof rests on."""
+    proof = base.why(atom) if is_ground(atom) else None
+    for fact in dict.fromkeys(facts_of(proof)) if proof is not None else ():
+        yield Repair(remove=frozenset({fact}))

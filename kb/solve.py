@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import count
 from typing import TypeAlias
 
 from casper.kb.clauses import Clause, Literal
@@ -15,11 +16,12 @@ from casper.kb.comparison import compare, is_ready
 from casper.kb.errors import BudgetExceeded, ProgramError
 from casper.kb.program import Indicator
 from casper.kb.relation import Relation
-from casper.kb.terms import Bindings, Compound, Variable, is_ground, renamed, substitute, unify, walk
+from casper.kb.terms import Bindings, Compound, is_ground, renamed, substitute, unify
 
 Computed: TypeAlias = Callable[[Compound], Iterator[Compound]]
 DEFAULT_BUDGET = 200_000
 DEFAULT_DEPTH = 150  # Python's own stack bounds a chain of rules; deeper is "unknown"
+_serials = count(1)  # shared by all searches: one may hand its variables to another, through valid/1
 
 
 @dataclass
@@ -35,7 +37,6 @@ class Solver:
     budget: int = DEFAULT_BUDGET
     steps: int = 0
     floundering_fails: bool = False  # in constraints: what some value could still satisfy is not broken
-    _serial: int = 0
 
     def solve(self, body: Sequence[Literal], bindings: Bindings | None = None, depth: int = 0) -> Iterator[Bindings]:
         """Every extension of the bindings under which the whole body holds, lazily.
@@ -44,21 +45,26 @@ class Solver:
             BudgetExceeded: the search took more than ``budget`` steps or went too deep.
             ProgramError: a condition was reached whose variables nothing binds.
         """
-        bindings = {} if bindings is None else bindings
+        try:
+            yield from self._solve(body, {} if bindings is None else bindings, depth)
+        except RecursionError:
+            raise _too_deep(body[0]) from None
+
+    def _solve(self, body: Sequence[Literal], bindings: Bindings, depth: int) -> Iterator[Bindings]:
         if not body:
             yield bindings
             return
-        at = self._next_ready(body, bindings)
+        at = next_ready(body, bindings)
         if at is None:
             if self.floundering_fails:
                 return
             raise _floundering(body[0], bindings)
         literal, rest = body[at], [*body[:at], *body[at + 1 :]]
         for extended in self.answers(literal, bindings, depth):
-            yield from self.solve(rest, extended, depth)
+            yield from self._solve(rest, extended, depth)
 
     def answers(self, literal: Literal, bindings: Bindings, depth: int = 0) -> Iterator[Bindings]:
-        """Every extension of the bindings under which one ready condition holds."""
+        """Every extension of the bindings under which one ready condition holds; raises as `solve` does."""
         self._count(literal, depth)
         if literal.is_comparison:
             extended = compare(literal, bindings)
@@ -77,30 +83,20 @@ class Solver:
             yield from _lookup(relation, literal.atom, bindings)
         elif indicator in self.computed:
             for answer in self.computed[indicator](substitute(literal.atom, bindings)):
-                extended = unify(literal.atom, answer, bindings)
+                extended = unify(answer, literal.atom, bindings)
                 if extended is not None:
                     yield extended
         else:
             for clause in self.clauses.get(indicator, ()):
                 head, body = self.fresh(clause)
-                extended = unify(literal.atom, head, bindings)
+                extended = unify(head, literal.atom, bindings)  # this way round answers keep the asker's variables
                 if extended is not None:
-                    yield from self.solve(body, extended, depth + 1)
+                    yield from self._solve(body, extended, depth + 1)
 
     def fresh(self, clause: Clause) -> tuple[Compound, list[Literal]]:
         """The clause with variables of its own."""
-        self._serial += 1
-        head, *atoms = renamed([clause.head, *(x.atom for x in clause.body)], self._serial)
+        head, *atoms = renamed([clause.head, *(x.atom for x in clause.body)], next(_serials))
         return head, [Literal(atom, x.negated, x.place) for atom, x in zip(atoms, clause.body)]
-
-    def _next_ready(self, body: Sequence[Literal], bindings: Bindings) -> int | None:
-        for at, literal in enumerate(body):
-            if literal.is_comparison:
-                if is_ready(literal, bindings):
-                    return at
-            elif not literal.negated or _is_closed(literal, bindings):
-                return at
-        return None
 
     def _count(self, literal: Literal, depth: int) -> None:
         self.steps += 1
@@ -108,6 +104,17 @@ class Solver:
             name, arity = literal.atom.indicator
             limit = f"{self.budget} steps" if self.steps > self.budget else f"{DEFAULT_DEPTH} levels of rules"
             raise BudgetExceeded(f"the search for {name}/{arity} stopped after {limit}: the answer is unknown")
+
+
+def next_ready(body: Sequence[Literal], bindings: Bindings) -> int | None:
+    """The first condition, in the author's order, that can be decided now; None when every one has to wait."""
+    for at, literal in enumerate(body):
+        if literal.is_comparison:
+            if is_ready(literal, bindings):
+                return at
+        elif not literal.negated or _is_closed(literal, bindings):
+            return at
+    return None
 
 
 def _lookup(relation: Relation, atom: Compound, bindings: Bindings) -> Iterator[Bindings]:
@@ -123,13 +130,23 @@ def _lookup(relation: Relation, atom: Compound, bindings: Bindings) -> Iterator[
 
 def _is_closed(literal: Literal, bindings: Bindings) -> bool:
     """Whether only anonymous variables are left open: ``\\+ p(X, _)`` asks that no row begins with X."""
-    open_ = (walk(v, bindings) for v in literal.variables())
-    return all(not isinstance(t, Variable) or t.name.startswith("_") for t in open_)
+    for variable in literal.variables():
+        value = substitute(variable, bindings)
+        # Only the clause's own ``_`` may stay open: an unknown that came from outside may still become known.
+        if not (is_ground(value) or (value is variable and variable.is_anonymous)):
+            return False
+    return True
+
+
+def _too_deep(literal: Literal) -> BudgetExceeded:
+    name, arity = literal.atom.indicator
+    return BudgetExceeded(f"the search for {name}/{arity} went too deep: the answer is unknown")
 
 
 def _floundering(literal: Literal, bindings: Bindings) -> ProgramError:
     from casper.kb.writer import literal_text
 
-    shown = literal_text(Literal(substitute(literal.atom, bindings), literal.negated))
+    [atom] = renamed([substitute(literal.atom, bindings)], 0)  # by the names their author gave the variables
+    shown = literal_text(Literal(atom, literal.negated))
     place = literal.place if literal.place.line else None
     return ProgramError(f"{shown} cannot be decided: bind its variables by a condition before it", place)

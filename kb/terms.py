@@ -22,6 +22,11 @@ class Variable:
     name: str
     serial: int = 0
 
+    @property
+    def is_anonymous(self) -> bool:
+        """Whether it was written ``_``: it occurs once, so nothing else can ever bind it."""
+        return self.name.startswith("_#")
+
     def __hash__(self) -> int:
         return hash(self.name) ^ self.serial
 
@@ -71,8 +76,15 @@ def predication(term: Term) -> Compound:
     if isinstance(term, str):
         return Compound((term,))
     if isinstance(term, tuple) and term and isinstance(term[0], str):
-        return Compound(term)
+        return _as_compound(term)
     raise TypeError(f"{term!r} is not a statement: an atom or name(arguments) is needed")
+
+
+def _as_compound(term: tuple[Term, ...]) -> Compound:
+    """A Python tuple as a compound, to the bottom."""
+    return Compound(
+        [_as_compound(part) if isinstance(part, tuple) and not isinstance(part, Compound) else part for part in term]
+    )
 
 
 def as_term(atom: Compound) -> Term:
@@ -96,9 +108,16 @@ def variables_of(*terms: Term) -> Iterator[Variable]:
 
 def is_ground(term: Term) -> bool:
     """Whether the term has no variable."""
-    if isinstance(term, tuple):
-        return all(is_ground(part) for part in term)
-    return not isinstance(term, Variable)
+    if not isinstance(term, tuple):
+        return not isinstance(term, Variable)
+    waiting = list(term)  # a loop, not recursion: a list is as deep as it is long
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, Variable):
+            return False
+        if isinstance(part, tuple):
+            waiting.extend(part)
+    return True
 
 
 def walk(term: Term, bindings: Bindings) -> Term:
@@ -114,33 +133,55 @@ def walk(term: Term, bindings: Bindings) -> Term:
 def substitute(term: Term, bindings: Bindings) -> Term:
     """The term with every bound variable replaced, to the bottom."""
     term = walk(term, bindings)
-    if isinstance(term, Compound):
-        return Compound([substitute(part, bindings) for part in term])
+    if not isinstance(term, Compound):
+        return term
+    spine = []  # the last argument is followed in a loop: a list is as deep as it is long
+    while isinstance(term, Compound):
+        spine.append([substitute(part, bindings) for part in term[:-1]])
+        term = walk(term[-1], bindings)
+    for parts in reversed(spine):
+        term = Compound([*parts, term])
     return term
 
 
 def unify(left: Term, right: Term, bindings: Bindings) -> Bindings | None:
     """The most general extension of the bindings that makes both terms equal, or None.
 
-    The bindings handed in are never changed. There is no occurs check, as in ISO Prolog's ``=``.
+    The bindings handed in are never changed. Numbers are equal by value, ``1`` and ``1.0`` too, as in kanren and in the
+    indexes. A variable never becomes a term that contains it (the occurs check), so every answer is a finite term.
     """
-    left, right = walk(left, bindings), walk(right, bindings)
-    if left is right:
-        return bindings
-    if isinstance(left, Variable):
-        return {**bindings, left: right}
-    if isinstance(right, Variable):
-        return {**bindings, right: left}
-    if isinstance(left, tuple) and isinstance(right, tuple):
-        if len(left) != len(right):
-            return None
-        extended: Bindings | None = bindings
-        for a, b in zip(left, right):
-            extended = unify(a, b, extended)  # type: ignore[arg-type]
-            if extended is None:
+    extended, waiting = bindings, [(left, right)]
+    while waiting:
+        left, right = waiting.pop()
+        left, right = walk(left, extended), walk(right, extended)
+        if left is right or left == right:
+            continue
+        if not isinstance(left, Variable) and isinstance(right, Variable):
+            left, right = right, left
+        if isinstance(left, Variable):
+            if _occurs(left, right, extended):
                 return None
-        return extended
-    return bindings if left == right and type(left) is type(right) else None
+            if extended is bindings:
+                extended = bindings.copy()
+            extended[left] = right
+        elif isinstance(left, tuple) and isinstance(right, tuple) and len(left) == len(right):
+            waiting.extend(reversed(list(zip(left, right))))
+        else:
+            return None
+    return extended
+
+
+def _occurs(variable: Variable, term: Term, bindings: Bindings) -> bool:
+    if not isinstance(term, tuple):
+        return False
+    waiting = list(term)
+    while waiting:
+        part = walk(waiting.pop(), bindings)
+        if part is variable or part == variable:
+            return True
+        if isinstance(part, tuple):
+            waiting.extend(part)
+    return False
 
 
 def renamed(terms: Iterable[Term], serial: int) -> list[Term]:

@@ -12,10 +12,10 @@ from typing import TypeAlias
 
 from casper.kb.clauses import Clause, Literal
 from casper.kb.errors import BudgetExceeded
-from casper.kb.program import Indicator, Program
+from casper.kb.program import SYSTEM, Indicator, Program
 from casper.kb.relation import Relation
 from casper.kb.solve import Solver
-from casper.kb.terms import Compound, Term, as_term, is_ground, predication, substitute, unify
+from casper.kb.terms import Compound, Term, Variable, as_term, predication, substitute, variables_of
 from casper.kb.why_not import Refusal, Violation
 
 History: TypeAlias = Sequence[tuple[Term, float]]  # what happened earlier: (statement, seconds)
@@ -51,22 +51,27 @@ class Constraints:
     always: tuple[Violation, ...]
     by_claim: tuple[Clause, ...] = field(default=())
 
-    def broken_by(self, claim: Compound, history: History, solver: Solver) -> Iterator[Violation]:
-        """Every constraint that is broken when the statement is claimed after the history."""
+    def broken_by(self, claim: Compound, solver: Solver) -> Iterator[Violation]:
+        """Every constraint that is broken when the statement is claimed; the solver knows what was done before."""
         yield from self.always
         candidates = [c for c in self.by_claim if _may_concern(c, claim)]
         if not candidates:
             return
-        situation: dict[Indicator, Relation] = {
-            ("claim", 1): Relation("claim", 1, [(as_term(claim),)]),
-            ("did", 2): Relation("did", 2, [(as_term(predication(s)), t) for s, t in history]),
-        }
-        relations: Mapping[Indicator, Relation] = _Overlay(solver.relations, situation)
+        relations = _Overlay(solver.relations, {("claim", 1): Relation("claim", 1, [(as_term(claim),)])})
+        open_ = tuple(variables_of(claim))
         for clause in candidates:
             search = Solver(relations, solver.clauses, solver.computed, solver.budget, floundering_fails=True)
-            violation = _violation(clause, search)
+            violation = _violation(clause, search, open_)
             if violation is not None:
                 yield violation
+
+
+def with_history(relations: Mapping[Indicator, Relation], history: History) -> Mapping[Indicator, Relation]:
+    """The relations with did/2 laid over them: rules and constraints see what happened earlier."""
+    if not history:
+        return relations
+    rows = [(as_term(predication(statement)), seconds) for statement, seconds in history]
+    return _Overlay(relations, {("did", 2): Relation("did", 2, rows)})
 
 
 class _Overlay(dict[Indicator, Relation]):
@@ -91,7 +96,7 @@ def constraints_of(program: Program, solver: Solver) -> Constraints:
 
 def _is_situational(clause: Clause, program: Program) -> bool:
     needed = {x.atom.indicator for x in clause.body if not x.is_comparison}
-    return bool(needed & (program.situational | {("claim", 1), ("did", 2), ("valid", 1)}))
+    return not needed.isdisjoint(program.situational | set(SYSTEM))
 
 
 def _may_concern(clause: Clause, claim: Compound) -> bool:
@@ -103,40 +108,44 @@ def _may_concern(clause: Clause, claim: Compound) -> bool:
     return True
 
 
-def _violation(clause: Clause, solver: Solver) -> Violation | None:
+def _violation(clause: Clause, solver: Solver, open_: tuple[Variable, ...] = ()) -> Violation | None:
+    """The first way the constraint is broken for every value of the claim's open parts, or None."""
     head, body = solver.fresh(clause)
     for solution in solver.solve(body):
+        values = [substitute(variable, solution) for variable in open_]
+        if len(set(values)) < len(values) or not all(isinstance(value, Variable) for value in values):
+            continue  # broken for some values only: another may still be valid
         clash = tuple(Literal(substitute(x.atom, solution), x.negated, x.place) for x in body)
         return Violation(str(head[1]), clause, clash)
     return None
 
 
-def valid_instances(
-    statement: Compound, history: History, solver: Solver, constraints: Constraints
-) -> Iterator[Compound]:
+def valid_instances(statement: Compound, solver: Solver, constraints: Constraints) -> Iterator[Compound]:
     """Every valid instance of the statement, lazily."""
     seen: set[Compound] = set()
     for solution in solver.solve([Literal(statement)]):
         instance: Compound = substitute(statement, solution)
         if instance not in seen:
             seen.add(instance)
-            if next(constraints.broken_by(instance, history, solver), None) is None:
+            if next(constraints.broken_by(instance, solver), None) is None:
                 yield instance
 
 
-def verify(statement: Compound, history: History, solver: Solver, constraints: Constraints) -> Verdict:
+def verify(statement: Compound, solver: Solver, constraints: Constraints) -> Verdict:
     """Judge one statement; an invalid one comes back without its refusal, which `KnowledgeBase.verify` adds.
 
-    Unknown is not no: a search that outlives its budget gives ``valid=None``.
+    Unknown is not no: a search that outlives its budget before it finds a valid instance gives ``valid=None``.
     """
     completed: Compound | None = None
     try:
-        for number, instance in enumerate(valid_instances(statement, history, solver, constraints)):
+        for number, instance in enumerate(valid_instances(statement, solver, constraints)):
             completed = instance if completed is None else _agreement(statement, completed, instance)
             if completed == statement or number >= _FILL_LIMIT:
                 completed = statement
                 break
     except BudgetExceeded as mistake:
+        if completed is not None:  # one value does; whether another would too is what the search did not tell
+            return Verdict(statement, True, statement)
         return Verdict(statement, None, statement, None, mistake.sentence)
     if completed is None:
         return Verdict(statement, False, statement)
@@ -150,8 +159,3 @@ def _agreement(statement: Term, left: Term, right: Term) -> Term:
     if isinstance(statement, Compound) and isinstance(left, Compound) and isinstance(right, Compound):
         return Compound([_agreement(s, a, b) for s, a, b in zip(statement, left, right)])
     return statement
-
-
-def is_instance(statement: Compound, instance: Compound) -> bool:
-    """Whether the ground instance is one the statement can be."""
-    return is_ground(instance) and unify(statement, instance, {}) is not None

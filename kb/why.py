@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from casper.kb.clauses import Clause, Literal
@@ -10,7 +10,7 @@ from casper.kb.program import Indicator
 from casper.kb.proof import Proof
 from casper.kb.relation import Columns, Relation, Row
 from casper.kb.solve import Solver
-from casper.kb.terms import Compound, substitute, unify
+from casper.kb.terms import Compound, predication, substitute, unify
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,60 +34,82 @@ def prove(atom: Compound, relations: Mapping[Indicator, Relation], solver: Solve
         BudgetExceeded: the search outlived the solver's budget.
     """
     relation = relations.get(atom.indicator)
-    if relation is not None and atom.args not in relation.rows:
-        return None
-    if relation is None and atom.indicator in solver.computed:
+    if relation is not None:
+        return _stored_proof(atom, relations, solver) if atom.args in relation.rows else None
+    if atom.indicator in solver.computed:
         return _computed_proof(atom, solver, relations)
     for clause in solver.clauses.get(atom.indicator, ()):
         if not clause.body and unify(clause.head, atom, {}) is not None:
             return Proof(Literal(atom), clause)
     for clause in solver.clauses.get(atom.indicator, ()):
-        premises = _premises(atom, clause, relation, relations, solver) if clause.body else None
-        if premises is not None:
-            return Proof(Literal(atom), clause, premises)
-    if relation is not None:  # a row of the situation: claim/1 or did/2
-        return Proof(Literal(atom), None, (), "observed")
+        for body in _instances(atom, clause, solver) if clause.body else ():
+            proofs = [p for p in (_literal_proof(x, relations, solver) for x in body) if p is not None]
+            if len(proofs) == len(body):
+                return Proof(Literal(atom), clause, tuple(proofs))
     return None
 
 
-def _premises(
-    atom: Compound,
-    clause: Clause,
-    relation: Relation | None,
-    relations: Mapping[Indicator, Relation],
-    solver: Solver,
-) -> tuple[Proof, ...] | None:
-    """The proofs of the clause's body that give the atom, or None where the clause does not give it."""
-    search = solver
-    if relation is not None:
-        round_ = relation.rows[atom.args]
-        earlier: Mapping[Indicator, Relation] = {i: _Earlier(r, round_) for i, r in relations.items()}  # type: ignore[misc]
+def _stored_proof(goal: Compound, relations: Mapping[Indicator, Relation], solver: Solver) -> Proof:
+    """The proof of a stored row, premises first: a loop, because a chain of rules may be longer than Python's stack."""
+    steps: dict[Compound, tuple[Clause, tuple[Literal, ...]]] = {}
+    proofs: dict[Compound, Proof] = {}  # each row is proved once, however often it is used
+    waiting = [goal]
+    while waiting:
+        atom = waiting[-1]
+        if atom not in steps:
+            steps[atom] = _step(atom, relations, solver)
+        clause, body = steps[atom]
+        missing = [x.atom for x in body if _is_derived(x) and x.atom not in proofs]
+        if missing:
+            waiting.extend(reversed(missing))
+        else:
+            premises = tuple(proofs[x.atom] if _is_derived(x) else Proof(x) for x in body)
+            proofs[atom] = Proof(Literal(atom), clause, premises)
+            waiting.pop()
+    return proofs[goal]
+
+
+def _step(
+    atom: Compound, relations: Mapping[Indicator, Relation], solver: Solver
+) -> tuple[Clause, tuple[Literal, ...]]:
+    """The fact or the first rule behind a stored row, with the instance of its body that gives it."""
+    for clause in solver.clauses[atom.indicator]:
+        if not clause.body and clause.head == atom:
+            return clause, ()
+    round_ = relations[atom.indicator].rows[atom.args]
+    for clause in solver.clauses[atom.indicator]:
+        needed = {x.atom.indicator for x in clause.body if not x.is_comparison}
+        earlier: dict[Indicator, Relation] = {i: _Earlier(relations[i], round_) for i in needed}  # type: ignore[misc]
         search = Solver(earlier, solver.clauses, solver.computed, solver.budget)
+        body = next(_instances(atom, clause, search), None) if clause.body else None
+        if body is not None:
+            return clause, body
+    raise AssertionError("every row was derived by a clause from earlier rows")
+
+
+def _instances(atom: Compound, clause: Clause, search: Solver) -> Iterator[tuple[Literal, ...]]:
+    """The instances of the clause's body that hold and give the atom."""
     head, body = search.fresh(clause)
     bindings = unify(head, atom, {})
-    if bindings is None:
-        return None
-    for solution in search.solve(body, bindings):
-        proofs = [_literal_proof(literal, solution, relations, solver) for literal in body]
-        if all(proof is not None for proof in proofs):
-            return tuple(proof for proof in proofs if proof is not None)
-    return None
+    if bindings is not None:
+        for solution in search.solve(body, bindings):
+            yield tuple(Literal(substitute(x.atom, solution), x.negated) for x in body)
 
 
-def _literal_proof(
-    literal: Literal, solution: dict, relations: Mapping[Indicator, Relation], solver: Solver  # type: ignore[type-arg]
-) -> Proof | None:
-    atom = substitute(literal.atom, solution)
-    if literal.is_comparison or literal.negated:
-        return Proof(Literal(atom, literal.negated))
-    return prove(atom, relations, solver)
+def _is_derived(literal: Literal) -> bool:
+    """Whether a condition has a proof of its own; a comparison or an absence is its own."""
+    return not (literal.is_comparison or literal.negated)
+
+
+def _literal_proof(literal: Literal, relations: Mapping[Indicator, Relation], solver: Solver) -> Proof | None:
+    return prove(literal.atom, relations, solver) if _is_derived(literal) else Proof(literal)
 
 
 def _computed_proof(atom: Compound, solver: Solver, relations: Mapping[Indicator, Relation]) -> Proof | None:
-    """valid(S): the proof of S, and that no constraint is broken when it is claimed."""
+    """valid(S) rests on the proof of S, and on no constraint being broken; never(S) on the facts as they are."""
     if next(solver.computed[atom.indicator](atom), None) is None:
         return None
-    from casper.kb.terms import predication
-
+    if atom.functor == "never":
+        return Proof(Literal(atom), None, (), "the facts break this constraint")
     inner = prove(predication(atom[1]), relations, solver)
     return None if inner is None else Proof(Literal(atom), None, (inner,), "no constraint is broken")

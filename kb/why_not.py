@@ -7,12 +7,11 @@ that leaves the fewest conditions unsatisfied.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from casper.kb.clauses import Clause, Literal
-from casper.kb.comparison import is_ready
-from casper.kb.errors import BudgetExceeded
-from casper.kb.solve import Solver
+from casper.kb.errors import BudgetExceeded, ProgramError
+from casper.kb.solve import Solver, next_ready
 from casper.kb.terms import Bindings, Compound, as_term, substitute, unify
 from casper.kb.wording import failure_sentence
 from casper.kb.writer import term_text
@@ -43,6 +42,7 @@ class Refusal:
     attempts: tuple[Attempt, ...] = ()
     violations: tuple[Violation, ...] = ()
     undefined: str = ""
+    provable: bool = False  # then only the violations stand against it
 
     @property
     def reasons(self) -> tuple[str, ...]:
@@ -72,8 +72,8 @@ def attempts(statement: Compound, clauses: Sequence[Clause], solver: Solver) -> 
         if bindings is None or not body:
             continue
         try:
-            failed = nearest(body, bindings, solver)
-        except BudgetExceeded:
+            failed = nearest(body, bindings, replace(solver, steps=0, floundering_fails=True))
+        except (BudgetExceeded, RecursionError):
             continue
         yield Attempt(clause, failed)
 
@@ -85,8 +85,19 @@ def nearest(body: Sequence[Literal], bindings: Bindings, solver: Solver) -> tupl
         if found is not None:
             given_up, solution = found
             kept = [literal for literal in body if any(literal is x for x in given_up)]
-            return tuple(Literal(substitute(x.atom, solution), x.negated, x.place) for x in kept)
+            failed = [x for x in kept if _fails(x, solution, solver)]
+            return tuple(Literal(substitute(x.atom, solution), x.negated, x.place) for x in failed or kept)
     return tuple(body)
+
+
+def _fails(literal: Literal, bindings: Bindings, solver: Solver) -> bool:
+    """Whether a condition that was given up does fail; one that only lost what binds it is undecided."""
+    if next_ready([literal], bindings) is None:
+        return False
+    try:
+        return next(replace(solver, floundering_fails=False).answers(literal, bindings), None) is None
+    except ProgramError:
+        return False
 
 
 def _give_up(
@@ -96,10 +107,10 @@ def _give_up(
     if not body:
         yield [], bindings
         return
-    at = next((i for i, x in enumerate(body) if not x.is_comparison or is_ready(x, bindings)), 0)
+    ready = next_ready(body, bindings)
+    at = 0 if ready is None else ready
     literal, rest = body[at], body[:at] + body[at + 1 :]
-    decided = not literal.is_comparison or is_ready(literal, bindings)
-    if decided:
+    if ready is not None:
         for extended in solver.answers(literal, bindings):
             yield from _give_up(rest, extended, allowed, solver)
     if allowed:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from casper.kb.clauses import Literal
-from casper.kb.terms import Compound, Variable, as_term, is_ground
+from casper.kb.terms import Compound, Variable, as_term, is_ground, renamed
 from casper.kb.writer import term_text
 
 _ADJECTIVE_ENDINGS = ("able", "ible", "ful", "less", "ing", "ed", "ous", "ive", "al", "y", "ic", "ent", "ant")
@@ -27,6 +27,8 @@ def failure_sentence(literal: Literal) -> str:
 def noun_phrase(name: str) -> str:
     """A predicate's name as what something is: ``a vessel``, ``an agent``, but ``eatable`` and ``food``."""
     words = name.replace("_", " ")
+    if words.endswith("s") and not words.endswith("ss"):  # biscuits, hobs
+        return words
     if words in _MASS_NOUNS or (words not in _NOUNS and words.endswith(_ADJECTIVE_ENDINGS)):
         return words
     return f"{'an' if words[:1] in 'aeiou' else 'a'} {words}"
@@ -34,15 +36,15 @@ def noun_phrase(name: str) -> str:
 
 def _comparison_sentence(literal: Literal) -> str:
     operator, left, right = literal.atom
-    left, right = term_text(left), term_text(right)
+    left, right = (term_text(side) for side in renamed((left, right), 0))
     same = operator in ("=", "==")
     if literal.negated:
         same = not same
     if operator in ("=", "==", "\\=", "\\=="):
-        return f"{left} is not {right}" if same else f"{left} is {right}" if left != right else f"it is {right}"
+        return f"{left} is not {right}" if same else f"{left} is {right}" if left != right else f"both are {right}"
     return f"{left} {operator} {right} {'holds' if literal.negated else 'does not hold'}"
 
 
 def _shown(atom: Compound) -> Compound:
     """The atom with renamed variables shown by the name their author gave them."""
-    return Compound([Variable(p.name) if isinstance(p, Variable) else p for p in atom])
+    return Compound(renamed(atom, 0))

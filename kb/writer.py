@@ -39,18 +39,14 @@ def atom_text(atom: str) -> str:
 def _compound_text(term: Compound, limit: int) -> str:
     if term.indicator == (".", 2):
         items, tail = list_items(term)
-        shown = ", ".join(term_text(item, 699 if _is_or(item) else 999) for item in items)
-        return f"[{shown}]" if tail == NIL else f"[{shown} | {term_text(tail)}]"
+        shown = ", ".join(term_text(item) for item in items)
+        return f"[{shown}]" if tail == NIL else f"[{shown} | {term_text(tail, 700)}]"
     operator = _operator_text(term)
     if operator is not None:
         return f"({operator})" if _PRIORITY[term.functor] > limit else operator
     if len(term) == 1:
         return atom_text(term.functor)
     return f"{atom_text(term.functor)}({', '.join(term_text(arg) for arg in term.args)})"
-
-
-def _is_or(term: Term) -> bool:
-    return isinstance(term, Compound) and term.functor == ";"
 
 
 def _operator_text(term: Compound) -> str | None:

@@ -12,9 +12,21 @@ from dataclasses import dataclass
 from itertools import permutations
 from typing import TypeAlias
 
-from casper.kb.clauses import Production
-from casper.kb.errors import PlanError, Place
-from casper.kb.terms import Bindings, Compound, Term, Variable, as_term, list_items, predication, renamed, substitute, unify
+from casper.kb.clauses import Literal, Production
+from casper.kb.errors import Place, PlanError
+from casper.kb.terms import (
+    NIL,
+    Bindings,
+    Compound,
+    Term,
+    Variable,
+    as_term,
+    list_items,
+    predication,
+    renamed,
+    substitute,
+    unify,
+)
 from casper.kb.writer import term_text
 from casper.plans.plan import Action, Node, Plan, Task
 
@@ -47,6 +59,8 @@ def expand(
             way, total = way + 1, total + 1
             if total > most_plans:
                 raise PlanError(f"the library has more than {most_plans} plans; {label} alone has {way}", place)
+        if not way:
+            raise PlanError(f"no choice of productions completes the goal {label}: their parameters disagree", place)
 
 
 def _labels(goals: Sequence[Compound]) -> list[str]:
@@ -68,7 +82,9 @@ def _settled(node: Node, bindings: Bindings) -> Node:
 
     def settle(node: Node) -> Node:
         term = name(substitute(node.term, bindings))
-        return Action(term, node.place) if isinstance(node, Action) else Task(term, tuple(settle(c) for c in node.children))
+        if isinstance(node, Action):
+            return Action(term, node.place)
+        return Task(term, tuple(settle(child) for child in node.children))
 
     return settle(node)
 
@@ -121,9 +137,9 @@ class _Grammar:
     def item(self, item: Term, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Ways:
         """Every way to do one item of a body."""
         if not isinstance(item, (str, Compound)):
-            raise PlanError(f"{term_text(item)} cannot stand in a plan: {_ONLY_NAMES}", place)
+            raise PlanError(f"{term_text(renamed([item], 0)[0])} cannot stand in a plan: {_ONLY_NAMES}", place)
         term = predication(item)
-        shape = _SHAPES.get(term.functor) if term.indicator not in self.methods else None
+        shape = SHAPES.get(term.functor) if term.indicator not in self.methods else None
         if shape is not None and term.args:
             for sequence in shape(term, place):
                 yield from self.sequence(sequence, bindings, above, place)
@@ -145,17 +161,20 @@ class _Grammar:
 
 
 def _check_action(term: Compound, place: Place) -> None:
-    if not (term.functor[:1].isalpha() or term.functor[:1] == "_"):
-        raise PlanError(f"{term_text(as_term(term))} cannot stand in a plan: {_ONLY_NAMES}", place)
+    named = term.functor[:1].isalpha() or term.functor[:1] == "_"
+    if not named or Literal(term).is_comparison:
+        shown = term_text(renamed([as_term(term)], 0)[0])
+        raise PlanError(f"{shown} cannot stand in a plan: {_ONLY_NAMES}", place)
 
 
 def _steps(term: Compound, place: Place) -> Iterator[Items]:
     """Every order of labelled steps that keeps the stated pairs."""
     import networkx as nx  # only plans with partial orders need it
 
-    if term.arity != 2:
+    lists = [list_items(arg) for arg in term.args]
+    if [tail for _, tail in lists] != [NIL, NIL] or not lists[0][0]:
         raise PlanError("steps takes a list of labelled items and a list of pairs: steps([a: X, b: Y], [a < b])", place)
-    labelled, ordered = list_items(term[1])[0], list_items(term[2])[0]
+    labelled, ordered = lists[0][0], lists[1][0]
     items: dict[Term, Term] = {}
     for entry in labelled:
         if not (isinstance(entry, Compound) and entry.indicator == (":", 2)):
@@ -175,7 +194,7 @@ def _steps(term: Compound, place: Place) -> Iterator[Items]:
         yield tuple(items[label] for label in order)
 
 
-_SHAPES: dict[str, Callable[[Compound, Place], Iterator[Items]]] = {
+SHAPES: dict[str, Callable[[Compound, Place], Iterator[Items]]] = {
     ",": lambda term, _: iter([term.args]),
     ";": lambda term, _: iter([(alternative,) for alternative in term.args]),
     "optional": lambda term, _: iter([term.args, ()]),

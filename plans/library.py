@@ -12,11 +12,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from casper.kb.clauses import Clause, Production, Sentence
-from casper.kb.errors import PlanError, Place
+from casper.kb.errors import Place, PlanError
 from casper.kb.reader import read_statement, read_text
-from casper.kb.terms import Compound, Term, as_term, predication
+from casper.kb.terms import Compound, Term, Variable, as_term, predication, substitute, variables_of
 from casper.kb.writer import program_text, term_text
-from casper.plans.expansion import MOST_PLANS, expand
+from casper.plans.expansion import MOST_PLANS, SHAPES, expand
 from casper.plans.plan import Plan
 
 GOAL = ("goal", 1)
@@ -109,7 +109,11 @@ class PlanLibrary:
     def _goal_terms(self) -> list[tuple[Compound, Place]]:
         """The stated goals; where none is stated, every task that no production uses."""
         if self._goals:
-            return [(_goal_of(clause), clause.place) for clause in self._goals]
+            stated: dict[Compound, tuple[Compound, Place]] = {}
+            for clause in self._goals:  # several clauses may state conditions of one goal
+                goal = _goal_of(clause)
+                stated.setdefault(_general_names(goal), (goal, clause.place))
+            return list(stated.values())
         used = {indicator for p in self._productions for indicator in _mentioned(p.body)}
         heads = {p.head.indicator: p for p in reversed(self._productions) if p.head.indicator not in used}
         if self._productions and not heads:
@@ -130,7 +134,14 @@ def _goal_of(clause: Clause) -> Compound:
         return predication(clause.head[1])
     except TypeError:
         shown = term_text(clause.head[1])
-        raise PlanError(f"goal({shown}) does not name a goal: write goal(name) or goal(name(Parameter))", clause.place) from None
+        sentence = f"goal({shown}) does not name a goal: write goal(name) or goal(name(Parameter))"
+        raise PlanError(sentence, clause.place) from None
+
+
+def _general_names(goal: Compound) -> Compound:
+    """The goal with its parameters numbered: equal for goals that differ in names only."""
+    named: Compound = substitute(goal, {v: Variable("Parameter", at) for at, v in enumerate(variables_of(goal), 1)})
+    return named
 
 
 def _is_general(production: Production, productions: Sequence[Production]) -> bool:
@@ -139,8 +150,6 @@ def _is_general(production: Production, productions: Sequence[Production]) -> bo
 
 def _general(head: Compound) -> Compound:
     """The most general term of the head's name and arity: several productions may each bind its parameters."""
-    from casper.kb.terms import Variable
-
     return Compound([head.functor, *(Variable(f"Parameter{at}") for at in range(1, head.arity + 1))])
 
 
@@ -150,5 +159,6 @@ def _mentioned(body: Term) -> Iterable[tuple[str, int]]:
         yield body, 0
     elif isinstance(body, Compound):
         yield body.indicator
-        for arg in body.args:
-            yield from _mentioned(arg)
+        if body.functor in SHAPES or body.functor in (".", ":"):  # the lists and labels of steps
+            for arg in body.args:
+                yield from _mentioned(arg)

@@ -11,7 +11,7 @@ from casper.sim_adapter.physics import Physics
 from casper.sim_adapter.placement import Spot
 from casper.sim_adapter.scene import Point
 
-FAR_OUT = 0.15  # metres before the place where things are carried
+FAR_OUT = 0.4  # metres before the place where things are carried
 HAND_SPEED = 1.0  # m/s of the hand when it swings back by itself
 
 

@@ -10,7 +10,7 @@ from casper.sim_adapter.placement import Spot
 
 STRIDE = 4.2  # radians of the gait's cycle for a metre walked
 REST: Spot = (0.03, -0.25, 0.83)  # the hand hanging down, in the body's frame
-CARRY: Spot = (0.33, -0.08, 1.12)  # the hand holding something in front
+CARRY: Spot = (0.25, -0.08, 1.12)  # the hand holding something in front
 WRIST = 0.05  # the wrist stays this far behind and above the middle of the hand
 LEAN_STEP, LEAN_LIMIT = 0.025, 1.0
 

@@ -59,6 +59,7 @@ class Trial:
         self._reported = 0
         self._robot_asked: list[tuple[Compound, Step]] = []
         self._human_done = 0
+        self._consuming = set(self.domain.kb.rows("consumes", 1))
 
     def events(self) -> Iterator[Event]:
         """Everything that happens, as it happens; the last event is the ``summary``."""
@@ -91,10 +92,13 @@ class Trial:
         self.left_to_robot += [s for s in offered if s.step in dropped]
 
     def _notice_partner(self, now: float) -> None:
-        done = len(self.simulation.human.done)
-        if done > self._human_done:
-            self._human_done = done
+        """Take note of what the partner has finished; what was eaten up is gone (``consumes(Action)``)."""
+        finished = self.simulation.human.done[self._human_done :]
+        self._human_done += len(finished)
+        for scripted in (s for s in self.script if s.step in finished):
             self.last_action_done = now
+            if (scripted.action.functor,) in self._consuming:
+                self.simulation.remove(scripted.step.target or "")
 
     # --- the robot -------------------------------------------------------------------------------------------------
 

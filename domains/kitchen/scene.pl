@@ -72,6 +72,9 @@ placing(hobs,  on_top).
 placing(plate, inside).
 placing(glass, beside).
 
+% consumes(Action): what was its target is gone when the partner has finished the action.
+consumes(eat).
+
 % colour(Name, Red, Green, Blue), for pictures only.
 colour(sink,     0.75, 0.78, 0.80).
 colour(hobs,     0.10, 0.10, 0.12).

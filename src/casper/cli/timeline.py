@@ -22,6 +22,7 @@ class Timeline:
         self.out, self.partner, self.robot = console, partner, robot
         self._focus: dict[str, Any] = {}
         self._last: tuple[Any, ...] = ()
+        self._ruled_out: set[str] = set()  # goals whose reason was told already
         self._printers: dict[str, Callable[[Event], None]] = {
             "focus": self._note_focus,
             "movement": self._movement,
@@ -85,11 +86,14 @@ class Timeline:
 
     def _reading(self, event: Event) -> None:
         data = event.data
-        self._under(f"[dim]{data['explanations']} explanations after {escape(', '.join(data['observations']))}[/]")
+        plural = "" if data["explanations"] == 1 else "s"
+        self._under(f"[dim]{data['explanations']} explanation{plural} of {len(data['observations'])} observed[/]")
         reasons = {entry["goal"]: entry["reasons"] for entry in data["rejected"]}
         for goal, share in data["posterior"].items():
-            why = f"  [dim]{escape('; '.join(reasons[goal]))}[/]" if reasons.get(goal) else ""
-            self._under(f"{escape(goal):<12}[cyan]{bar(share)}[/]{share:5.2f}{why}")
+            new = reasons.get(goal) and goal not in self._ruled_out
+            why = f"  [dim]not this: {escape(reasons[goal][0])}[/]" if new else ""
+            self._under(f"  {escape(goal):<12}[cyan]{bar(share)}[/]{share:5.2f}{why}")
+        self._ruled_out = set(reasons)
 
     def _prediction(self, event: Event) -> None:
         data = event.data

@@ -1,0 +1,166 @@
+"""Tables of interned constants: numpy columns in sorted runs, for relations too large for Python rows.
+
+A table keeps its rows in runs of about doubling size (a log-structured merge), so growing it round by round, looking
+rows up by any columns, and testing for duplicates all stay near-linear in the rows ever added.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from casper.kb.terms import Term
+
+Ids: TypeAlias = NDArray[np.int64]
+MOST_CODES = 1 << 62  # rows are coded as one integer: constants ** arity must stay below
+BITMAP = 1 << 26  # up to so many possible rows a table keeps a bitmap of those it has
+
+
+class Interner:
+    """Constants as numbers from 0, in order of first appearance; ``1`` and ``1.0`` are two constants."""
+
+    def __init__(self) -> None:
+        self.numbers: dict[Term, int] = {}
+        self.constants: list[Term] = []
+
+    def intern(self, constant: Term) -> int:
+        """The number of a constant, a new one if need be."""
+        key = constant if type(constant) is str else (type(constant), constant)
+        number = self.numbers.get(key)
+        if number is None:
+            number = self.numbers[key] = len(self.constants)
+            self.constants.append(constant)
+        return number
+
+    def number(self, constant: Term) -> int | None:
+        """The number of a constant, or None when it never appeared."""
+        return self.numbers.get(constant if type(constant) is str else (type(constant), constant))
+
+    def columns(self, rows: Iterable[Sequence[Term]], arity: int) -> list[Ids]:
+        """Rows as columns of numbers."""
+        intern = self.intern
+        flat = np.fromiter((intern(value) for row in rows for value in row), dtype=np.int64)
+        return list(flat.reshape(-1, arity).T.copy()) if arity else []
+
+    def __len__(self) -> int:
+        return len(self.constants)
+
+
+class Run:
+    """Rows that no longer change, with an index for every pattern of columns that was asked for."""
+
+    __slots__ = ("_indexes", "columns", "rounds", "size")
+
+    def __init__(self, columns: list[Ids], rounds: Ids) -> None:
+        self.columns, self.rounds, self.size = columns, rounds, len(rounds)
+        self._indexes: dict[tuple[int, ...], tuple[Ids, Ids]] = {}
+
+    def index(self, columns: tuple[int, ...], base: int) -> tuple[Ids, Ids]:
+        """(sorted keys, the positions in that order) for the values of some columns, coded to one number."""
+        found = self._indexes.get(columns)
+        if found is None:
+            keys = code([self.columns[c] for c in columns], base, self.size)
+            order = np.argsort(keys, kind="stable")
+            found = self._indexes[columns] = (keys[order], order)
+        return found
+
+
+class Table:
+    """The growing rows of one predicate.
+
+    Args:
+        arity: columns.
+        base: how many constants there are, at most; the radix of row codes.
+    """
+
+    def __init__(self, arity: int, base: int) -> None:
+        self.arity, self.base, self.runs = arity, max(base, 1), list[Run]()
+        self._bitmap = np.zeros(self.base**arity, dtype=bool) if self.base**arity <= BITMAP else None
+
+    def __len__(self) -> int:
+        return sum(run.size for run in self.runs)
+
+    def add(self, columns: list[Ids], round_: int) -> list[Ids]:
+        """Add rows; the ones that were new, each once, as columns."""
+        size = len(columns[0]) if columns else 0
+        codes = np.unique(code(columns, self.base, size))
+        codes = codes[~self._has(codes)]
+        if not len(codes):
+            return [np.empty(0, np.int64)] * self.arity
+        if self._bitmap is not None:
+            self._bitmap[codes] = True
+        new = decode(codes, self.base, self.arity)
+        self._push(Run(new, np.full(len(codes), round_, np.int64)))
+        return new
+
+    def _has(self, codes: Ids) -> NDArray[np.bool_]:
+        if self._bitmap is not None:
+            return self._bitmap[codes]
+        every = tuple(range(self.arity))
+        found = np.zeros(len(codes), dtype=bool)
+        for run in self.runs:
+            keys, _ = run.index(every, self.base)
+            at = np.searchsorted(keys, codes)
+            inside = at < len(keys)
+            found[inside] |= keys[at[inside]] == codes[inside]
+        return found
+
+    def _push(self, run: Run) -> None:
+        """Append a run, merging it with its neighbours while they are not much larger."""
+        while self.runs and self.runs[-1].size <= 2 * run.size:
+            other = self.runs.pop()
+            columns = [np.concatenate(pair) for pair in zip(other.columns, run.columns)]
+            run = Run(columns, np.concatenate((other.rounds, run.rounds)))
+        self.runs.append(run)
+
+    def join(self, columns: tuple[int, ...], keys: Ids) -> tuple[Ids, list[Ids]]:
+        """Rows matching each key on the columns: (the key's number for every match, the matches as columns)."""
+        parts = [self._join_run(run, columns, keys) for run in self.runs]
+        if not parts:
+            return np.empty(0, np.int64), [np.empty(0, np.int64)] * self.arity
+        which = np.concatenate([which for which, _ in parts])
+        return which, [np.concatenate([run.columns[c][at] for run, (_, at) in zip(self.runs, parts)]) for c in range(self.arity)]
+
+    def _join_run(self, run: Run, columns: tuple[int, ...], keys: Ids) -> tuple[Ids, Ids]:
+        sorted_keys, order = run.index(columns, self.base)
+        low = np.searchsorted(sorted_keys, keys, "left")
+        counts = np.searchsorted(sorted_keys, keys, "right") - low
+        which = np.repeat(np.arange(len(keys)), counts)
+        offsets = np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
+        return which, order[np.repeat(low, counts) + offsets]
+
+    def any_match(self, columns: tuple[int, ...], keys: Ids) -> NDArray[np.bool_]:
+        """For each key whether some row has it on the columns."""
+        found = np.zeros(len(keys), dtype=bool)
+        for run in self.runs:
+            sorted_keys, _ = run.index(columns, self.base)
+            at = np.searchsorted(sorted_keys, keys)
+            inside = at < len(sorted_keys)
+            found[inside] |= sorted_keys[at[inside]] == keys[inside]
+        return found
+
+    def all_rows(self) -> list[Ids]:
+        """Every row, as columns."""
+        if not self.runs:
+            return [np.empty(0, np.int64)] * self.arity
+        return [np.concatenate([run.columns[c] for run in self.runs]) for c in range(self.arity)]
+
+
+def code(columns: Sequence[Ids], base: int, size: int) -> Ids:
+    """Several columns as one number a row, in the radix ``base``; no column gives zeros."""
+    result = np.zeros(size, dtype=np.int64)
+    for column in columns:
+        result = result * base + column
+    return result
+
+
+def decode(codes: Ids, base: int, arity: int) -> list[Ids]:
+    """The inverse of `code`."""
+    columns: list[Ids] = []
+    for _ in range(arity):
+        codes, column = np.divmod(codes, base)
+        columns.append(column)
+    return columns[::-1]
