@@ -12,7 +12,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from casper.engine.explanation import Explanation
-from casper.engine.matching import Matcher, Mismatch, NameMatcher, ParameterMatcher, VerifyingMatcher, bindings_of, settle
+from casper.engine.matching import (
+    Matcher,
+    Mismatch,
+    NameMatcher,
+    ParameterMatcher,
+    VerifyingMatcher,
+    bindings_of,
+    settle,
+)
 from casper.engine.policy import policy_named
 from casper.engine.reading import Reading
 from casper.kb.base import KnowledgeBase

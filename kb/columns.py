@@ -122,7 +122,8 @@ class Table:
         if not parts:
             return np.empty(0, np.int64), [np.empty(0, np.int64)] * self.arity
         which = np.concatenate([which for which, _ in parts])
-        return which, [np.concatenate([run.columns[c][at] for run, (_, at) in zip(self.runs, parts)]) for c in range(self.arity)]
+        found = [(run, at) for run, (_, at) in zip(self.runs, parts)]
+        return which, [np.concatenate([run.columns[c][at] for run, at in found]) for c in range(self.arity)]
 
     def _join_run(self, run: Run, columns: tuple[int, ...], keys: Ids) -> tuple[Ids, Ids]:
         sorted_keys, order = run.index(columns, self.base)

@@ -154,11 +154,13 @@ def unify(left: Term, right: Term, bindings: Bindings) -> Bindings | None:
     while waiting:
         left, right = waiting.pop()
         left, right = walk(left, extended), walk(right, extended)
-        if left is right or left == right:
+        if left is right:
             continue
         if not isinstance(left, Variable) and isinstance(right, Variable):
             left, right = right, left
         if isinstance(left, Variable):
+            if left == right:
+                continue
             if _occurs(left, right, extended):
                 return None
             if extended is bindings:
@@ -166,7 +168,7 @@ def unify(left: Term, right: Term, bindings: Bindings) -> Bindings | None:
             extended[left] = right
         elif isinstance(left, tuple) and isinstance(right, tuple) and len(left) == len(right):
             waiting.extend(reversed(list(zip(left, right))))
-        else:
+        elif isinstance(left, tuple) or isinstance(right, tuple) or left != right:
             return None
     return extended
 

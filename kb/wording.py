@@ -8,7 +8,10 @@ from casper.kb.writer import term_text
 
 _ADJECTIVE_ENDINGS = ("able", "ible", "ful", "less", "ing", "ed", "ous", "ive", "al", "y", "ic", "ent", "ant")
 _MASS_NOUNS = frozenset({"food", "water", "furniture", "equipment", "cutlery", "bread", "milk"})
-_NOUNS = frozenset({"meal", "food", "animal", "bed", "ring", "agent", "patient", "body", "toy", "tray", "key", "robot"})
+_NOUNS = frozenset(
+    "agent animal baby battery bed body boy building cable key meal patient plant ring table toy tray vegetable".split()
+)
+_ADJECTIVES = frozenset("broken clean closed cold dry fresh full good hot old open raw safe warm wet".split())
 
 
 def failure_sentence(literal: Literal) -> str:
@@ -29,7 +32,7 @@ def noun_phrase(name: str) -> str:
     words = name.replace("_", " ")
     if words.endswith("s") and not words.endswith("ss"):  # biscuits, hobs
         return words
-    if words in _MASS_NOUNS or (words not in _NOUNS and words.endswith(_ADJECTIVE_ENDINGS)):
+    if words in _MASS_NOUNS | _ADJECTIVES or (words not in _NOUNS and words.endswith(_ADJECTIVE_ENDINGS)):
         return words
     return f"{'an' if words[:1] in 'aeiou' else 'a'} {words}"
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from casper.sim_adapter.geometry import Disc, bearing, in_the_way, turn
 from casper.sim_adapter.human_body import HumanBody
-from casper.sim_adapter.navigation import CELL, Navigator, length, square_on
+from casper.sim_adapter.navigation import CELL, Navigator, is_square, length, square_on
 from casper.sim_adapter.scene import Point
 from casper.sim_adapter.steps import Ticks
 
@@ -31,7 +31,8 @@ class HumanWalk:
         """Walk to where an object can be reached, unless it is within reach already, and face it."""
         body = self.body
         rings = (body.settings.stand_distance, *RINGS)
-        if math.dist(body.place, body.at(name)) > REACHABLE:
+        well = is_square(body.physics.scene, body.at(name), body.place)
+        if not well or math.dist(body.place, body.at(name)) > REACHABLE:
             yield from self._travel(lambda: self._standing(body.at(name), rings))
         yield from self._face(body.at(name))
 

@@ -13,7 +13,7 @@ from casper.sim_adapter.geometry import Disc, Floor, point_to_segment
 from casper.sim_adapter.scene import Point, Scene
 
 CELL = 0.1
-SQUARE = 0.1  # metres one may stand to the side of what is in a cabinet
+SQUARE = 0.05  # metres one may stand to the side of what is in a cabinet
 Cell = tuple[int, int]
 
 
@@ -101,14 +101,18 @@ class Navigator:
         return pulled
 
 
-def square_on(scene: Scene, at: Point, points: Sequence[Point]) -> list[Point]:
-    """Of standing points for something at ``at``: in a cabinet, only those before the opening, off its walls."""
+def is_square(scene: Scene, at: Point, point: Point) -> bool:
+    """Whether one stands well for what is at ``at``: if it is in a cabinet, before the opening and off its walls."""
     cabinet = next((p for p in scene.furniture if p.kind == "cabinet" and p.holds(*at)), None)
     if cabinet is None:
-        return list(points)
+        return True
     axis = 1 if cabinet.opens in ("west", "east") else 0
-    before = [point for point in points if abs(point[axis] - at[axis]) <= SQUARE]
-    return before or list(points)
+    return abs(point[axis] - at[axis]) <= SQUARE
+
+
+def square_on(scene: Scene, at: Point, points: Sequence[Point]) -> list[Point]:
+    """Those of some standing points that are square on, or all when none is."""
+    return [point for point in points if is_square(scene, at, point)] or list(points)
 
 
 def length(path: Sequence[Point]) -> float:

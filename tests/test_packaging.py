@@ -41,7 +41,8 @@ def test_the_wheel_built_from_the_sdist_holds_exactly_the_tree(built: Path) -> N
 @pytest.mark.xdist_group("packaging")
 def test_the_sdist_holds_the_tests_and_the_changelog(built: Path) -> None:
     (sdist,) = built.glob("*.tar.gz")
-    names = {n.split("/", 1)[1] for n in tarfile.open(sdist).getnames() if "/" in n}
+    with tarfile.open(sdist) as archive:
+        names = {n.split("/", 1)[1] for n in archive.getnames() if "/" in n}
     assert {"tests/test_packaging.py", "CHANGELOG.md", "LICENSE", "kb/grammar.lark"} <= names
 
 

@@ -17,7 +17,7 @@ setting(perception, snap_held, true).           % what is held is where its hold
 % --- Tracking: what is not seen is where it was last known to be --------------------------------------------
 setting(tracking, enabled, true).
 setting(tracking, gate, 0.15).                  % metres; within it a detection of a resting thing is averaged
-setting(tracking, agent_gate, 0.05).            % the same for an agent; less than its slowest step
+setting(tracking, agent_gate, 0.08).            % the same for an agent; less than its slowest step
 setting(tracking, hold_bridge, 1).              % steps for which a hand that seems empty still holds
 setting(tracking, agent_bridge, 2.0).           % seconds an agent out of sight goes on as it went
 

@@ -8,7 +8,7 @@ def test_a_valid_statement_comes_with_its_proof_and_exit_code_0(casper):
     assert answer["valid"] is True
     assert answer["proof"]["fact"] == "eat(human, biscuits, plate)"
     assert answer["proof"]["place"].startswith("ontology.pl:")
-    assert [p["fact"] for p in answer["proof"]["because"]][0] == "human(human)"
+    assert answer["proof"]["because"][0]["fact"] == "human(human)"
     assert set(answer) >= {"statement", "valid", "proof", "reasons", "repair"}
 
 

@@ -179,3 +179,23 @@ def test_a_training_trial_is_still_fetch_still():
 def test_a_training_trial_may_step_back_before_the_last_still():
     script = training_script(kitchen_scene(), np.random.default_rng(0), step_back=True)
     assert [step.skill for step in script] == ["still", "pick_and_place", "step_back", "still"]
+
+
+@pytest.mark.parametrize("seed", [0, 4, 9])
+def test_what_is_carried_away_from_the_fridge_does_not_knock_against_it(seed):
+    simulation = Simulation(kitchen_scene(), seed=seed)
+    simulation.human.do([put("meal", "hobs")])
+    physics = simulation.physics
+    knocks = 0
+    while not simulation.human.idle:
+        simulation.advance(0.02)
+        if simulation.human.movement == "transport":
+            knocks += "furniture:fridge" in touched_by(physics, "meal")
+    assert knocks == 0
+
+
+def touched_by(physics, name):
+    """Names of the bodies an object touches."""
+    owner, body = physics.model.geom_bodyid, physics.body_id(name)
+    pairs = ({int(owner[contact.geom1]), int(owner[contact.geom2])} for contact in physics.data.contact)
+    return {physics.model.body(other).name for pair in pairs if body in pair for other in pair - {body}}

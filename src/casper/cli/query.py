@@ -20,12 +20,13 @@ def query(
     from casper.engine.domain import Domain
     from casper.kb.writer import term_text
 
-    answers = Domain.load(domain).kb.query(goal, limit)
-    out, count = console(), 0
-    for count, answer in enumerate(answers, 1):
+    out, found = console(), False
+    for answer in Domain.load(domain).kb.query(goal, limit):
+        found = True
         if as_json:
             print_json({name: json_value(value) for name, value in answer.items()})
         else:
-            out.print(", ".join(f"{name} = {term_text(value)}" for name, value in answer.items()) or "yes", markup=False)
-    if count == 0 and not as_json:
+            shown = ", ".join(f"{name} = {term_text(value)}" for name, value in answer.items())
+            out.print(shown or "yes", markup=False)
+    if not found and not as_json:
         out.print("no")

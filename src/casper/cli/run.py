@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 def run(
     domain: DomainName,
-    goal: Annotated[str | None, typer.Option(help="What the partner is after; drawn from the seed when left out.")] = None,
+    goal: Annotated[str | None, typer.Option(help="What the partner is after; by default drawn from the seed.")] = None,
     seed: Annotated[int, typer.Option(help="Of the start, the partner's pace and the sensor's noise.")] = 0,
     no_verification: Unverified = False,
     no_robot: Annotated[bool, typer.Option("--no-robot", help="Watch and predict only.")] = False,

@@ -129,7 +129,8 @@ class Timeline:
             self._line(event.t, f"[bold]predicted {escape(predicted)}{when}[/]")
             return
         mark = "[green]right[/]" if data["correct"] else "[red]wrong[/]"
-        self._line(event.t, f"[bold]{escape(self.partner)} wanted {escape(data['goal'])}; predicted {predicted}{when}[/]: {mark}")
+        wanted = f"{escape(self.partner)} wanted {escape(data['goal'])}; predicted {escape(predicted)}{when}"
+        self._line(event.t, f"[bold]{wanted}[/]: {mark}")
         if data["robot"]["actions"]:
             done = "[green]finished[/]" if data["robot"]["done"] else "[red]not finished[/]"
             self._under(f"{escape(self.robot)}'s part ({escape(', '.join(data['robot']['actions']))}) is {done}")
