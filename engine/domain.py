@@ -27,7 +27,7 @@ from casper.kb.base import KnowledgeBase
 from casper.kb.clauses import Clause, Production, Sentence
 from casper.kb.errors import DomainError, PlanError
 from casper.kb.program import undefined_sentence
-from casper.kb.reader import read_file
+from casper.kb.sources import Sources
 from casper.kb.terms import Compound, substitute
 from casper.plans.library import GOAL, PlanLibrary
 from casper.plans.relations import RELATIONS, plan_clauses
@@ -42,6 +42,7 @@ class Domain:
     """What is known of one place: relations, plans, and the settings of every stage as facts among the relations.
 
     ``verifies`` is False for a folder without ``ontology.pl``: such a domain verifies nothing and only explains.
+    ``files`` are all the files it was read from, those that others include or use among them.
     """
 
     name: str
@@ -49,6 +50,7 @@ class Domain:
     kb: KnowledgeBase
     library: PlanLibrary
     verifies: bool
+    files: tuple[Path, ...] = ()
 
     @classmethod
     def load(cls, name: str | Path) -> Domain:
@@ -59,8 +61,9 @@ class Domain:
             ReadError, ProgramError, PlanError: a mistake in its text, with file and line.
         """
         folder = find_domain(name)
-        sentences = {file: read_file(folder / file) for file in FILES if (folder / file).is_file()}
-        return build(folder.name, folder, sentences)
+        sources = Sources((SHIPPED,))
+        sentences = {file: sources.sentences(folder / file) for file in FILES if (folder / file).is_file()}
+        return build(folder.name, folder, sentences, tuple(dict.fromkeys(sources.files)))
 
     @property
     def partner(self) -> str:
@@ -137,7 +140,9 @@ def find_domain(name: str | Path) -> Path:
     return folder.resolve()
 
 
-def build(name: str, folder: Path, sentences: dict[str, list[Sentence]]) -> Domain:
+def build(
+    name: str, folder: Path, sentences: dict[str, list[Sentence]], files: tuple[Path, ...] = ()
+) -> Domain:
     """A domain from sentences by file name.
 
     Raises:
@@ -157,7 +162,7 @@ def build(name: str, folder: Path, sentences: dict[str, list[Sentence]]) -> Doma
     kb.compile()
     if verifies:
         _check_actions(library, kb)
-    return Domain(name, folder, kb, library, verifies)
+    return Domain(name, folder, kb, library, verifies, files)
 
 
 def _knowledge(sentences: Iterable[Sentence], verifies: bool) -> Iterable[Sentence]:

@@ -7,8 +7,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from functools import lru_cache
 from typing import TypeAlias
@@ -16,42 +16,36 @@ from typing import TypeAlias
 from casper.kb.clauses import Clause, Directive, Literal, Sentence
 from casper.kb.errors import ProgramError
 from casper.kb.goals import Predicate
-from casper.kb.materialise import materialise
-from casper.kb.program import SYSTEM, Indicator, Program, analyse, check_defined, undefined_sentence
+from casper.kb.model import Model
+from casper.kb.program import SYSTEM, Indicator, check_defined, undefined_sentence
 from casper.kb.proof import Proof
 from casper.kb.reader import read_query, read_statement, read_text
 from casper.kb.relation import Relation, Row
 from casper.kb.repair import Repair, repairs
 from casper.kb.solve import DEFAULT_BUDGET, Computed, Solver
 from casper.kb.terms import Compound, Term, Variable, as_term, is_ground, predication, substitute, unify
-from casper.kb.validity import Constraints, History, Verdict, constraints_of, valid_instances, verify, with_history
+from casper.kb.validity import History, Verdict, valid_instances, verify, with_history
 from casper.kb.why import prove
 from casper.kb.why_not import Refusal, Violation, attempts
 from casper.kb.writer import program_text, term_text
 
 Statement: TypeAlias = str | tuple[Term, ...]  # text, or a Compound / a tuple that starts with the name
 _EMPTY: History = ()
+_MISSING = object()
+MOST_ANSWERS = 100_000  # ground questions remembered between two changes
 _statement_of_text = lru_cache(maxsize=4096)(read_statement)
 _query_of_text = lru_cache(maxsize=1024)(read_query)
-
-
-@dataclass(frozen=True)
-class _Model:
-    """What is worked out once per change of the clauses."""
-
-    program: Program
-    relations: dict[Indicator, Relation]
-    constraints: Constraints
 
 
 class KnowledgeBase:
     """Relations that answer in every direction, with reasons."""
 
     def __init__(self, clauses: Iterable[Clause] = (), dynamic: Iterable[Indicator] = ()) -> None:
-        self._clauses: list[Clause] = list(clauses)
+        self._clauses: dict[Clause, None] = dict.fromkeys(clauses)  # in the author's order, each once
+        self._bulk: dict[Indicator, dict[Row, None]] = {}
         self._dynamic: set[Indicator] = set(dynamic)
         self._statements: dict[Indicator, None] = {}
-        self._cached: _Model | None = None
+        self._cached: Model | None = None
 
     # --- authoring -------------------------------------------------------------------------------------------------
 
@@ -76,7 +70,7 @@ class KnowledgeBase:
         self._cached = None
         for sentence in sentences:
             if isinstance(sentence, Clause):
-                self._clauses.append(sentence)
+                self._clauses.setdefault(sentence)
             elif isinstance(sentence, Directive):
                 self._dynamic.add(_dynamic(sentence))
             else:
@@ -111,13 +105,14 @@ class KnowledgeBase:
 
     @property
     def clauses(self) -> Sequence[Clause]:
-        """Every clause, in the author's order."""
-        return tuple(self._clauses)
+        """Every clause, in the author's order, then the facts that were loaded in bulk."""
+        loaded = (Clause(Compound((name, *row))) for (name, _), rows in self._bulk.items() for row in rows)
+        return (*self._clauses, *loaded)
 
     def to_text(self) -> str:
         """The clauses as text that reads in as the same model."""
         declared = [Directive(Compound(("dynamic", Compound(("/", *i))))) for i in sorted(self._dynamic)]
-        return program_text([*declared, *self._clauses])
+        return program_text([*declared, *self.clauses])
 
     # --- questions -------------------------------------------------------------------------------------------------
 
@@ -127,16 +122,38 @@ class KnowledgeBase:
         Raises:
             ProgramError: nothing defines the predicate. BudgetExceeded: the answer is unknown.
         """
+        model = self._cached or self._model
+        known = model.answers.get(statement)
+        if known is not None:
+            return known
         atom = self._statement(statement)
-        relation = self._model.relations.get(atom.indicator)
-        if relation is not None and is_ground(atom):
-            return atom.args in relation.rows
-        return next(self.instances(atom), None) is not None
+        relation = model.relations.get(atom.indicator)
+        if relation is None or not is_ground(atom):
+            return next(self.instances(atom), None) is not None
+        holds = atom.args in relation
+        if len(model.answers) < MOST_ANSWERS:
+            model.answers[statement] = holds
+        return holds
 
-    def query(self, goal: str, limit: int | None = None) -> Iterator[dict[str, Term]]:
+    def query(
+        self,
+        goal: str,
+        limit: int | None = None,
+        *,
+        timeout: float | None = None,
+        budget: int = DEFAULT_BUDGET,
+        cancelled: Callable[[], bool] | None = None,
+    ) -> Iterator[dict[str, Term]]:
         """Answers to a conjunction (``eat(A, T, D), \\+ D = sink``) in any direction, lazily, each once.
 
         An answer maps the goal's named variables to their values; a part that may be anything is a `Variable`.
+
+        Args:
+            goal: conditions, as in the body of a rule.
+            limit: stop after so many answers.
+            timeout: seconds from the first answer's search on, after which the rest is unknown.
+            budget: resolution steps after which the rest is unknown.
+            cancelled: asked now and then; when it says True the search stops (a thread's ``event.is_set``, say).
 
         Raises:
             ReadError, ProgramError, BudgetExceeded.
@@ -144,13 +161,23 @@ class KnowledgeBase:
         alternatives = _query_of_text(goal)
         for literal in (x for body in alternatives for x in body):
             check_defined(literal, self._model.program.clauses)
-        return self._answers(alternatives, limit)
+        return self._answers(alternatives, limit, timeout, budget, cancelled)
 
-    def _answers(self, alternatives: tuple[tuple[Literal, ...], ...], limit: int | None) -> Iterator[dict[str, Term]]:
+    def _answers(
+        self,
+        alternatives: tuple[tuple[Literal, ...], ...],
+        limit: int | None,
+        timeout: float | None,
+        budget: int,
+        cancelled: Callable[[], bool] | None,
+    ) -> Iterator[dict[str, Term]]:
         seen: set[Row] = set()
+        solver = self.solver(budget)
+        solver.deadline = None if timeout is None else time.monotonic() + timeout
+        solver.cancelled = cancelled
         for body in alternatives:
             names = [v for v in dict.fromkeys(v for x in body for v in x.variables()) if not v.name.startswith("_")]
-            for solution in self.solver().solve(body):
+            for solution in solver.solve(body):
                 row = tuple(substitute(name, solution) for name in names)
                 if row not in seen:
                     if limit is not None and len(seen) >= limit:
@@ -190,7 +217,7 @@ class KnowledgeBase:
             if first is None:
                 return None
             atom = first
-        return prove(atom, self._model.relations, self.solver())
+        return prove(atom, self._model.relations, self.solver(), self._model.given)
 
     def why_not(self, statement: Statement, history: History = _EMPTY) -> Refusal | None:
         """Why the statement is not provable or not valid; None when it is both."""
@@ -245,12 +272,71 @@ class KnowledgeBase:
 
     def changed(self, repair: Repair) -> KnowledgeBase:
         """A copy of the knowledge base with facts added and removed; this one stays as it is."""
-        gone = {Clause(fact) for fact in repair.remove}
-        kept = [c for c in self._clauses if c not in gone]
-        base = KnowledgeBase([*kept, *(Clause(fact) for fact in sorted(repair.add, key=repr))], self._dynamic)
-        base.declare_statements(self._statements)
-        base._dynamic |= set(self._model.program.clauses)  # a predicate that loses its last fact is still known
+        return self.assume(*sorted(repair.add, key=repr), without=repair.remove)
+
+    # --- what if, and change ---------------------------------------------------------------------------------------
+
+    def assume(self, *facts: Statement, without: Iterable[Statement] = ()) -> KnowledgeBase:
+        """The knowledge base as it would be with some facts and without others; this one stays as it is.
+
+        It is an overlay: only what follows from the assumption is worked out, and it is dropped with the object.
+        """
+        base = KnowledgeBase()
+        base._clauses, base._dynamic = dict(self._clauses), set(self._dynamic) | set(self._model.program.clauses)
+        base._bulk, base._statements = {i: dict(rows) for i, rows in self._bulk.items()}, dict(self._statements)
+        base._cached = self._model.layer(base._computed)
+        for fact in without:
+            base.retract(fact)
+        for fact in facts:
+            base.assert_(fact)
         return base
+
+    def assert_(self, fact: Statement) -> bool:
+        """Add a fact and bring what follows from it in step; False when it was given already.
+
+        Raises:
+            ProgramError: the fact has a variable, or its predicate is the system's.
+        """
+        return self._change(fact, add=True)
+
+    def retract(self, fact: Statement) -> bool:
+        """Take a given fact back, with all that followed from it alone; False when it was not given."""
+        return self._change(fact, add=False)
+
+    def _change(self, fact: Statement, *, add: bool) -> bool:
+        atom = self._statement(fact)
+        if not is_ground(atom):
+            raise ProgramError(f"{term_text(as_term(atom))} has a variable; only ground facts can be changed")
+        model, clause = self._model, Clause(atom)
+        kept = model.keeps(atom.indicator)
+        bulk = self._bulk.get(atom.indicator, {})
+        if add and (clause in self._clauses or atom.args in bulk):
+            return False
+        if add:
+            self._clauses[clause] = None
+        elif self._clauses.pop(clause, _MISSING) is _MISSING and bulk.pop(atom.args, _MISSING) is _MISSING:
+            return False
+        if kept:
+            return model.change(atom.indicator, atom.args, clause if add else None, add=add)
+        self._dynamic |= {atom.indicator}
+        self._cached = None
+        return True
+
+    def facts(self, name: str, rows: Iterable[Row]) -> None:
+        """Load many facts of one predicate: ``kb.facts("edge", [("a", "b"), ("b", "c")])``; rows of constants.
+
+        Raises:
+            ProgramError: rows of different lengths, or with a variable in them.
+        """
+        loaded = list(map(tuple, rows))
+        arities = set(map(len, loaded))
+        if len(arities) > 1:
+            raise ProgramError(f"the rows of {name} have {' and '.join(map(str, sorted(arities)))} columns; one is needed")
+        if any(type(value) is Variable for row in loaded for value in row):
+            raise ProgramError(f"a row of {name} has a variable; only constants can be loaded")
+        if arities:
+            self._bulk.setdefault((name, arities.pop()), {}).update(dict.fromkeys(loaded))
+            self._cached = None
 
     # --- the parts below -------------------------------------------------------------------------------------------
 
@@ -272,8 +358,12 @@ class KnowledgeBase:
         return Predicate(self, name)
 
     def clauses_of(self, indicator: Indicator) -> Sequence[Clause]:
-        """The clauses of one predicate, in the author's order; none when it is not defined."""
-        return self._model.program.clauses.get(indicator, ())
+        """The facts and rules of one predicate; none when it is not defined."""
+        model = self._model
+        if not model.keeps(indicator):
+            return model.program.clauses.get(indicator, ())
+        facts = (clause or Clause(Compound((indicator[0], *row))) for row, clause in model.given[indicator].items())
+        return (*facts, *model.program.rules[indicator])
 
     def defines(self, name: str, arity: int) -> bool:
         """Whether a predicate has clauses here or is declared dynamic."""
@@ -302,15 +392,9 @@ class KnowledgeBase:
         return {("valid", 1): self._valid, ("never", 1): self._broken}
 
     @property
-    def _model(self) -> _Model:
+    def _model(self) -> Model:
         if self._cached is None:
-            program = analyse(self._clauses, self._dynamic)
-            try:
-                relations = materialise(program)
-            except RecursionError:
-                raise ProgramError("the facts hold a term that is nested too deeply") from None
-            solver = Solver(relations, program.clauses, self._computed)
-            self._cached = _Model(program, relations, constraints_of(program, solver))
+            self._cached = Model.of(self._clauses, self._dynamic, self._bulk, self._computed)
         return self._cached
 
     def _valid(self, atom: Compound) -> Iterator[Compound]:

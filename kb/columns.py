@@ -20,7 +20,7 @@ BITMAP = 1 << 26  # up to so many possible rows a table keeps a bitmap of those 
 
 
 class Interner:
-    """Constants as numbers from 0, in order of first appearance; ``1`` and ``1.0`` are two constants."""
+    """Constants as numbers from 0, in order of first appearance; equal ones (``1`` and ``1.0``) share theirs."""
 
     def __init__(self) -> None:
         self.numbers: dict[Term, int] = {}
@@ -28,16 +28,14 @@ class Interner:
 
     def intern(self, constant: Term) -> int:
         """The number of a constant, a new one if need be."""
-        key = constant if type(constant) is str else (type(constant), constant)
-        number = self.numbers.get(key)
-        if number is None:
-            number = self.numbers[key] = len(self.constants)
+        number = self.numbers.setdefault(constant, len(self.constants))
+        if number == len(self.constants):
             self.constants.append(constant)
         return number
 
     def number(self, constant: Term) -> int | None:
         """The number of a constant, or None when it never appeared."""
-        return self.numbers.get(constant if type(constant) is str else (type(constant), constant))
+        return self.numbers.get(constant)
 
     def columns(self, rows: Iterable[Sequence[Term]], arity: int) -> list[Ids]:
         """Rows as columns of numbers."""
@@ -87,7 +85,7 @@ class Table:
         """Add rows; the ones that were new, each once, as columns."""
         size = len(columns[0]) if columns else 0
         codes = np.unique(code(columns, self.base, size))
-        codes = codes[~self._has(codes)]
+        codes = codes[~self.has(codes)]
         if not len(codes):
             return [np.empty(0, np.int64)] * self.arity
         if self._bitmap is not None:
@@ -96,7 +94,8 @@ class Table:
         self._push(Run(new, np.full(len(codes), round_, np.int64)))
         return new
 
-    def _has(self, codes: Ids) -> NDArray[np.bool_]:
+    def has(self, codes: Ids) -> NDArray[np.bool_]:
+        """Which of the row codes are there."""
         if self._bitmap is not None:
             return self._bitmap[codes]
         every = tuple(range(self.arity))

@@ -1,12 +1,13 @@
 """A rule body compiled to nested index lookups: closures over slots of one environment list.
 
-The order of conditions is the optimiser's (bound columns first); reasons never come from here.
+A `Join` is compiled once and run on any relations that have its predicates. The order of conditions is the
+optimiser's (bound columns first); reasons never come from here.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
-from typing import TypeAlias
+from collections.abc import Callable, Iterable, Mapping, Set
+from typing import Any, TypeAlias
 
 from casper.kb.clauses import Clause, Literal
 from casper.kb.comparison import compare, is_ready
@@ -17,43 +18,117 @@ from casper.kb.terms import Compound, Term, Variable, is_ground, variables_of
 Environment: TypeAlias = list[Term]
 Step: TypeAlias = Callable[[Environment], None]
 Slots: TypeAlias = dict[Variable, int]
+Emit: TypeAlias = Callable[[Row], None]
+NOBODY: frozenset[Variable] = frozenset()
 
 
-def compile_join(
-    clause: Clause, relations: Mapping[Indicator, Relation], delta_at: int | None, emit: Callable[[Row], None]
-) -> Callable[[Iterable[Row]], None]:
-    """A function that emits every head row the clause derives.
+class Join:
+    """A compiled rule.
 
-    With ``delta_at``, that literal ranges over the rows handed to the function instead of its relation; else the
-    rows handed over are ignored.
+    Args:
+        clause: the rule.
+        delta_at: the number of the condition that ranges over given rows instead of its relation; a negated one is
+            then also tested, since that a row came or went does not settle what a wildcard asks.
+        bound_head: whether the head's variables are known from the start (`derives`).
+        negations: False leaves every negated condition out (an over-approximation).
     """
-    slots: Slots = {variable: at for at, variable in enumerate(clause.variables())}
-    delta: list[Iterable[Row]] = [()]
-    ordered = _order(clause.body, delta_at)
-    bound: list[set[Variable]] = [set()]
-    for literal, _ in ordered:
-        bound.append(bound[-1] | _binds(literal, bound[-1]))
-    step = _emit_step(clause.head, slots, emit)
-    for (literal, at), known in zip(reversed(ordered), reversed(bound[:-1])):
-        step = _compile(literal, known, slots, relations, delta if at == delta_at else None, step)
 
-    def evaluate(rows: Iterable[Row]) -> None:
-        delta[0] = rows
-        step([None] * len(slots))
+    def __init__(
+        self, clause: Clause, delta_at: int | None = None, *, bound_head: bool = False, negations: bool = True
+    ) -> None:
+        self.clause = clause
+        self._slots: Slots = {variable: at for at, variable in enumerate(clause.variables())}
+        self._context: list[Any] = [None, (), None]  # relations, delta rows, emit
+        known = set(variables_of(clause.head)) if bound_head else set()
+        body = [
+            (x, at, at == delta_at)
+            for x, at in ordered_body(clause.body, delta_at, known)
+            if negations or not x.negated or x.is_comparison or at == delta_at
+        ]
+        tested = [x for x, _, is_delta in body if is_delta and x.negated and negations]
+        self._head = _Binder([(c, arg) for c, arg in enumerate(clause.head.args)], NOBODY, self._slots)
+        self._step = self._compiled([*body, *((x, -1, False) for x in tested)], known)
 
-    return evaluate
+    def _compiled(self, body: list[tuple[Literal, int, bool]], known: set[Variable]) -> Step:
+        bound = [set(known)]
+        for literal, _, is_delta in body:
+            bound.append(bound[-1] | (set(variables_of(literal.atom)) if is_delta else _binds(literal)))
+        step = self._emit_step()
+        for (literal, _, is_delta), before in zip(reversed(body), reversed(bound[:-1])):
+            step = self._condition(literal, before, is_delta, step)
+        return step
+
+    def run(self, relations: Mapping[Indicator, Relation], rows: Iterable[Row], emit: Emit) -> None:
+        """Emit every head row that the rule derives; the delta condition ranges over ``rows``."""
+        self._context[:] = relations, rows, emit
+        self._step([None] * len(self._slots))
+
+    def derives(self, relations: Mapping[Indicator, Relation], row: Row) -> bool:
+        """Whether the rule derives this head row (the join was compiled with ``bound_head``)."""
+        environment: Environment = [None] * len(self._slots)
+        if not self._head(row, environment):
+            return False
+        self._context[:] = relations, (), _stop
+        try:
+            self._step(environment)
+        except _Found:
+            return True
+        return False
+
+    def _emit_step(self) -> Step:
+        build, context = _row_builder(list(self.clause.head.args), self._slots), self._context
+
+        def emit(environment: Environment) -> None:
+            context[2](build(environment))
+
+        return emit
+
+    def _condition(self, literal: Literal, known: Set[Variable], is_delta: bool, then: Step) -> Step:
+        if literal.is_comparison:
+            return _comparison_step(literal, known, self._slots, then)
+        indicator, args, context = literal.atom.indicator, literal.atom.args, self._context
+        columns = tuple(c for c, arg in enumerate(args) if set(variables_of(arg)) <= known)
+        key = _row_builder([args[c] for c in columns], self._slots)
+        bind = _Binder([(c, arg) for c, arg in enumerate(args) if c not in columns], known, self._slots)
+
+        def lookup(environment: Environment) -> None:
+            for row in context[0][indicator].matching(columns, key(environment)):
+                if bind(row, environment):
+                    then(environment)
+
+        def scan(environment: Environment) -> None:
+            wanted = key(environment)
+            for row in context[1]:
+                if tuple([row[c] for c in columns]) == wanted and bind(row, environment):
+                    then(environment)
+
+        def absent(environment: Environment) -> None:
+            if not any(bind(row, environment) for row in context[0][indicator].matching(columns, key(environment))):
+                then(environment)
+
+        return scan if is_delta else absent if literal.negated else lookup
 
 
-def _order(body: tuple[Literal, ...], delta_at: int | None) -> list[tuple[Literal, int]]:
+class _Found(Exception):
+    """Raised to leave a join as soon as one solution is found."""
+
+
+def _stop(row: Row) -> None:
+    raise _Found
+
+
+def ordered_body(
+    body: tuple[Literal, ...], delta_at: int | None, known: Set[Variable] = NOBODY
+) -> list[tuple[Literal, int]]:
     """Conditions with their positions: the delta first, tests as soon as they are bound, then the most bound."""
     waiting = list(enumerate(body))
     ordered: list[tuple[Literal, int]] = []
-    known: set[Variable] = set()
+    bound = set(known)
     while waiting:
-        at, literal = min(waiting, key=lambda item: _cost(item, known, delta_at))
+        at, literal = min(waiting, key=lambda item: _cost(item, bound, delta_at))
         waiting.remove((at, literal))
         ordered.append((literal, at))
-        known |= _binds(literal, known)
+        bound |= set(variables_of(literal.atom)) if at == delta_at else _binds(literal)
     return ordered
 
 
@@ -76,64 +151,13 @@ def _decides(literal: Literal, known: set[Variable]) -> bool:
     return left <= known or right <= known
 
 
-def _binds(literal: Literal, known: set[Variable]) -> set[Variable]:
+def _binds(literal: Literal) -> set[Variable]:
     if literal.negated or (literal.is_comparison and literal.atom[0] not in ("=", "is")):
         return set()
     return set(variables_of(literal.atom))
 
 
-def _compile(
-    literal: Literal,
-    known: set[Variable],
-    slots: Slots,
-    relations: Mapping[Indicator, Relation],
-    delta: list[Iterable[Row]] | None,
-    then: Step,
-) -> Step:
-    if literal.is_comparison:
-        return _comparison_step(literal, known, slots, then)
-    relation = relations[literal.atom.indicator]
-    args = literal.atom.args
-    columns = tuple(c for c, arg in enumerate(args) if set(variables_of(arg)) <= known)
-    key = _row_builder([args[c] for c in columns], slots)
-    rest = [(c, arg) for c, arg in enumerate(args) if c not in columns]
-    bind = _binder(rest, known, slots)
-    if literal.negated:
-        return _absence_step(relation, columns, key, bind, then)
-    if delta is not None:
-        return _delta_step(delta, columns, key, bind, then)
-
-    def lookup(environment: Environment) -> None:
-        for row in relation.matching(columns, key(environment)):
-            if bind(row, environment):
-                then(environment)
-
-    return lookup
-
-
-def _delta_step(
-    delta: list[Iterable[Row]], columns: tuple[int, ...], key: Callable[[Environment], Row], bind: _Bind, then: Step
-) -> Step:
-    def scan(environment: Environment) -> None:
-        wanted = key(environment)
-        for row in delta[0]:
-            if tuple([row[c] for c in columns]) == wanted and bind(row, environment):
-                then(environment)
-
-    return scan
-
-
-def _absence_step(
-    relation: Relation, columns: tuple[int, ...], key: Callable[[Environment], Row], bind: _Bind, then: Step
-) -> Step:
-    def absent(environment: Environment) -> None:
-        if not any(bind(row, environment) for row in relation.matching(columns, key(environment))):
-            then(environment)
-
-    return absent
-
-
-def _comparison_step(literal: Literal, known: set[Variable], slots: Slots, then: Step) -> Step:
+def _comparison_step(literal: Literal, known: Set[Variable], slots: Slots, then: Step) -> Step:
     before = [(v, slots[v]) for v in literal.variables() if v in known]
     after = [(v, slots[v]) for v in literal.variables() if v not in known]
 
@@ -147,15 +171,16 @@ def _comparison_step(literal: Literal, known: set[Variable], slots: Slots, then:
     return test
 
 
-def _emit_step(head: Compound, slots: Slots, emit: Callable[[Row], None]) -> Step:
-    build = _row_builder(list(head.args), slots)
-    return lambda environment: emit(build(environment))
-
-
 def _row_builder(terms: list[Term], slots: Slots) -> Callable[[Environment], Row]:
     """A function from the environment to the row of the terms' values."""
     if all(isinstance(term, Variable) for term in terms):
         at = [slots[term] for term in terms]
+        if len(at) == 1:
+            only = at[0]
+            return lambda environment: (environment[only],)
+        if len(at) == 2:
+            first, second = at
+            return lambda environment: (environment[first], environment[second])
         return lambda environment: tuple([environment[slot] for slot in at])
     return lambda environment: tuple([_value(term, environment, slots) for term in terms])
 
@@ -168,27 +193,24 @@ def _value(term: Term, environment: Environment, slots: Slots) -> Term:
     return term
 
 
-_Bind: TypeAlias = Callable[[Row, Environment], bool]
+class _Binder:
+    """Stores a row's open columns in the environment; False where a constant or a repeated variable disagrees."""
 
+    __slots__ = ("known", "pairs", "rest", "slots")
 
-def _binder(rest: list[tuple[int, Term]], known: set[Variable], slots: Slots) -> _Bind:
-    """A function that stores a row's open columns in the environment; False where a repeated variable disagrees."""
-    variables = [term for _, term in rest]
-    if all(isinstance(term, Variable) for term in variables) and len(set(variables)) == len(variables):
-        pairs = [(column, slots[term]) for column, term in rest]
+    def __init__(self, rest: list[tuple[int, Term]], known: Set[Variable], slots: Slots) -> None:
+        self.rest, self.known, self.slots = rest, known, slots
+        variables = [term for _, term in rest]
+        simple = all(isinstance(term, Variable) for term in variables) and len(set(variables)) == len(variables)
+        self.pairs = [(column, slots[term]) for column, term in rest] if simple else None
 
-        def store(row: Row, environment: Environment) -> bool:
-            for column, slot in pairs:
+    def __call__(self, row: Row, environment: Environment) -> bool:
+        if self.pairs is not None:
+            for column, slot in self.pairs:
                 environment[slot] = row[column]
             return True
-
-        return store
-
-    def match_all(row: Row, environment: Environment) -> bool:
-        assigned = set(known)
-        return all(_match(term, row[column], environment, slots, assigned) for column, term in rest)
-
-    return match_all
+        assigned = set(self.known)
+        return all(_match(term, row[column], environment, self.slots, assigned) for column, term in self.rest)
 
 
 def _match(term: Term, value: Term, environment: Environment, slots: Slots, assigned: set[Variable]) -> bool:

@@ -1,20 +1,25 @@
 """Materialisation: the rows of every stored predicate, by semi-naive evaluation, stratum by stratum.
 
 A row keeps the round in which it appeared. Rounds count up through all strata, so the premises of a row always come
-from earlier rounds: that is all that `kb.why` needs to rebuild a well-founded proof.
+from earlier rounds: that is all that `kb.why` needs to rebuild a well-founded proof. Within a stratum the round is the
+least height of a proof.
+
+Small programs are evaluated on Python rows; from ``COLUMNS_FROM`` rows on, a program of plain rules goes to numpy
+columns (`kb.columnar`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 
 from casper.kb.clauses import Clause
 from casper.kb.errors import BudgetExceeded
-from casper.kb.join import compile_join
+from casper.kb.join import Emit, Join
 from casper.kb.program import Indicator, Program
 from casper.kb.relation import Relation, Row
 
 MOST_ROWS = 20_000_000
+COLUMNS_FROM = 2_000
 
 
 def materialise(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator, Relation]:
@@ -23,7 +28,23 @@ def materialise(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator,
     Raises:
         BudgetExceeded: more than ``most_rows`` rows were derived.
     """
-    relations = {i: Relation(*i) for stratum in program.strata for i in stratum}
+    stored = [indicator for stratum in program.strata for indicator in stratum]
+    if sum(len(program.given[i]) for i in stored) >= COLUMNS_FROM:
+        from casper.kb.columnar_fixpoint import columnar_fixpoint  # numpy is loaded for large programs only
+
+        found = columnar_fixpoint(program, most_rows)
+        if found is not None:
+            return found
+    return row_fixpoint(program, most_rows)
+
+
+def row_fixpoint(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator, Relation]:
+    """The fixpoint on Python rows.
+
+    Raises:
+        BudgetExceeded: more than ``most_rows`` rows were derived.
+    """
+    relations = {i: Relation(*i, program.given[i]) for stratum in program.strata for i in stratum}
     round_ = 0
     for stratum in program.strata:
         round_ = _Stratum(program, stratum, relations, most_rows).run(round_)
@@ -36,34 +57,29 @@ class _Stratum:
     def __init__(
         self, program: Program, stratum: frozenset[Indicator], relations: dict[Indicator, Relation], most_rows: int
     ) -> None:
-        self.relations, self.most_rows = relations, most_rows
-        self.clauses = [c for indicator in sorted(stratum) for c in program.clauses[indicator]]
-        self.stratum = stratum
+        self.relations, self.most_rows, self.stratum = relations, most_rows, stratum
+        self.rules = [c for indicator in sorted(stratum) for c in program.rules[indicator]]
         self.fresh: dict[Indicator, dict[Row, None]] = {}
 
     def run(self, round_: int) -> int:
         """Evaluate to the fixpoint; the last round's number."""
-        for clause in self.clauses:
-            if not clause.body:
-                self.relations[clause.head.indicator].add(clause.head.args, round_)
-        rules = [c for c in self.clauses if c.body]
-        for clause in rules:
-            compile_join(clause, self.relations, None, self._emitter(clause))(())
-        joins = [join for clause in rules for join in self._recursive_joins(clause)]
+        for rule in self.rules:
+            Join(rule).run(self.relations, (), self._emitter(rule))
+        recursive = [
+            (literal.atom.indicator, Join(rule, at), self._emitter(rule))
+            for rule in self.rules
+            for at, literal in enumerate(rule.body)
+            if not literal.negated and literal.atom.indicator in self.stratum
+        ]
         while delta := self._take(round_ := round_ + 1):
-            for indicator, join in joins:
+            for indicator, join, emit in recursive:
                 if indicator in delta:
-                    join(delta[indicator])
+                    join.run(self.relations, delta[indicator], emit)
         return round_
 
-    def _recursive_joins(self, clause: Clause) -> Iterable[tuple[Indicator, Callable[[Iterable[Row]], None]]]:
-        for at, literal in enumerate(clause.body):
-            if not literal.negated and literal.atom.indicator in self.stratum:
-                yield literal.atom.indicator, compile_join(clause, self.relations, at, self._emitter(clause))
-
-    def _emitter(self, clause: Clause) -> Callable[[Row], None]:
-        known = self.relations[clause.head.indicator].rows
-        fresh = self.fresh.setdefault(clause.head.indicator, {})
+    def _emitter(self, rule: Clause) -> Emit:
+        known = self.relations[rule.head.indicator].rows
+        fresh = self.fresh.setdefault(rule.head.indicator, {})
 
         def emit(row: Row) -> None:
             if row not in known:
@@ -80,13 +96,19 @@ class _Stratum:
             rows.clear()
             if new:
                 delta[indicator] = new
-        total = sum(len(r) for r in self.relations.values())
-        if total > self.most_rows:
-            most = _largest(self.relations)
-            raise BudgetExceeded(f"there are more than {self.most_rows} facts; {most} has most of them")
+        check_size({i: len(r) for i, r in self.relations.items()}, self.most_rows)
         return delta
 
 
-def _largest(relations: dict[Indicator, Relation]) -> str:
-    name, arity = max(relations, key=lambda indicator: len(relations[indicator]))
-    return f"{name}/{arity}"
+def check_size(sizes: dict[Indicator, int], most_rows: int) -> None:
+    """Refuse a program that derives without end before it eats the memory.
+
+    Raises:
+        BudgetExceeded: there are more rows than that; the sentence names the largest predicate.
+    """
+    if sum(sizes.values()) > most_rows:
+        name, arity = max(sizes, key=lambda indicator: sizes[indicator])
+        raise BudgetExceeded(f"there are more than {most_rows} facts; {name}/{arity} has most of them")
+
+
+SizeCheck = Callable[[dict[Indicator, int]], None]

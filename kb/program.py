@@ -13,9 +13,11 @@ from typing import TypeAlias
 
 from casper.kb.clauses import COMPARISONS, NOWHERE, Clause, Literal
 from casper.kb.errors import Place, ProgramError
+from casper.kb.relation import Row
 from casper.kb.terms import Compound, Variable, is_ground, variables_of
 
 Indicator: TypeAlias = tuple[str, int]
+Given: TypeAlias = dict[Row, Clause | None]
 SITUATION: tuple[Indicator, ...] = (("claim", 1), ("did", 2))
 COMPUTED: tuple[Indicator, ...] = (("valid", 1), ("never", 1))
 SYSTEM: tuple[Indicator, ...] = (*SITUATION, *COMPUTED)
@@ -23,17 +25,31 @@ SYSTEM: tuple[Indicator, ...] = (*SITUATION, *COMPUTED)
 
 @dataclass(frozen=True)
 class Program:
-    """Clauses by predicate, in the author's order, with the analysis that evaluation needs."""
+    """Clauses by predicate, in the author's order, with the analysis that evaluation needs.
+
+    ``rules`` are the clauses that are more than a ground fact; ``given`` the rows of the ground facts, with the clause
+    behind each (None: loaded in bulk); ``clauses`` what resolution needs: the rules, and of a predicate that is
+    answered top-down its facts too. All three have every defined predicate as a key.
+    """
 
     clauses: Mapping[Indicator, tuple[Clause, ...]]
+    rules: Mapping[Indicator, tuple[Clause, ...]]
+    given: dict[Indicator, Given]
     constraints: tuple[Clause, ...]
     strata: tuple[frozenset[Indicator], ...]  # of the stored predicates, lowest first
     situational: frozenset[Indicator]
     top_down: frozenset[Indicator]
 
 
-def analyse(clauses: Iterable[Clause], dynamic: Iterable[Indicator] = ()) -> Program:
+def analyse(
+    clauses: Iterable[Clause], dynamic: Iterable[Indicator] = (), bulk: Mapping[Indicator, Iterable[Row]] | None = None
+) -> Program:
     """Sort and check the clauses.
+
+    Args:
+        clauses: facts, rules and constraints.
+        dynamic: predicates that are defined even without a clause.
+        bulk: rows of ground facts that no clause stands for.
 
     Raises:
         ProgramError: an undefined predicate, a redefined system predicate, a constraint without a sentence,
@@ -50,18 +66,45 @@ def analyse(clauses: Iterable[Clause], dynamic: Iterable[Indicator] = ()) -> Pro
             continue
         _check_own(clause.head.indicator, clause.place)
         predicates.setdefault(clause.head.indicator, []).append(clause)
+    given: dict[Indicator, Given] = {i: dict.fromkeys(rows) for i, rows in (bulk or {}).items()}
+    for indicator in given:
+        _check_own(indicator, NOWHERE)
+        predicates.setdefault(indicator, [])
     table = {indicator: tuple(found) for indicator, found in predicates.items()}
-    for clause in (*(c for found in table.values() for c in found), *constraints):
+    rules = {indicator: tuple(c for c in found if not is_given(c)) for indicator, found in table.items()}
+    for indicator, found in table.items():
+        rows = given.setdefault(indicator, {})
+        for clause in found:
+            if is_given(clause):
+                rows.setdefault(clause.head.args, clause)
+    for clause in (*(c for found in rules.values() for c in found), *constraints):
         for literal in clause.body:
             check_defined(literal, table)
             _check_bound(literal, clause)
-    levels = _levels(table)
-    situational = _dependents(table, set(SYSTEM))
-    top_down = situational | _unlisted(table)
-    top_down = _dependents(table, top_down) | top_down
+    strata, situational, top_down = _split(rules)
+    resolved = dict(rules)
+    for indicator in top_down:
+        loaded = (Clause(Compound((indicator[0], *row))) for row, clause in given[indicator].items() if clause is None)
+        resolved[indicator] = (*table[indicator], *loaded)
+    return Program(resolved, rules, given, tuple(constraints), strata, situational, top_down)
+
+
+def is_given(clause: Clause) -> bool:
+    """Whether a clause is a ground fact."""
+    return not clause.body and is_ground(clause.head)
+
+
+def _split(
+    rules: Mapping[Indicator, tuple[Clause, ...]],
+) -> tuple[tuple[frozenset[Indicator], ...], frozenset[Indicator], frozenset[Indicator]]:
+    """The strata of the stored predicates, the situational predicates, and all that are answered top-down."""
+    levels = _levels(rules)
+    situational = _dependents(rules, set(SYSTEM))
+    top_down = situational | _unlisted(rules)
+    top_down = _dependents(rules, top_down) | top_down
     heights = sorted({level for indicator, level in levels.items() if indicator not in top_down})
     strata = tuple(frozenset(i for i, at in levels.items() if at == h and i not in top_down) for h in heights)
-    return Program(table, tuple(constraints), strata, frozenset(situational), frozenset(top_down))
+    return strata, frozenset(situational), frozenset(top_down)
 
 
 def _check_own(indicator: Indicator, place: Place) -> None:

@@ -15,11 +15,12 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedEOF
 
 from casper.kb.clauses import Clause, Directive, Literal, Production, Sentence
 from casper.kb.errors import DomainError, Place, ReadError
+from casper.kb.namespace import qualified
 from casper.kb.terms import NIL, Compound, Term, Variable, make_list, predication, variables_of
 
 _ESCAPES = {"n": "\n", "t": "\t", "\\": "\\", "'": "'", '"': '"', "0": "\0", "r": "\r"}
 _NAMED = frozenset({"atom", "compound"})  # what a clause can be about
-_CONDITIONS = _NAMED | {"compare"}
+_CONDITIONS = _NAMED | {"compare", "colon"}
 _EXPECTED = {
     "END": "a full stop",
     "RPAR": "')'",
@@ -188,8 +189,11 @@ def _statement(tree: Tree[Any], file: str, names: _Anonymous, shapes: frozenset[
     while tree.data == "group":
         tree = tree.children[0]
     term = _term(tree, names)
+    if shapes is _CONDITIONS:
+        term = qualified(term)
+    is_pair = tree.data == "colon" and isinstance(term, Compound) and term.functor == ":"
     try:
-        if shapes is None or tree.data in shapes:
+        if shapes is None or (tree.data in shapes and not is_pair):
             return predication(term)
     except TypeError:
         pass

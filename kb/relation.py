@@ -1,31 +1,28 @@
 """A relation: a set of ground rows with a lazily built hash index for every pattern of bound columns.
 
-An index, once built, is kept up as rows are added, so a lookup touches only rows that match on every bound column.
+An index, once built, is kept up as rows come and go, so a lookup touches only rows that match on every bound column.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator
 from typing import TypeAlias
 
 from casper.kb.terms import Term
 
 Row: TypeAlias = tuple[Term, ...]
 Columns: TypeAlias = tuple[int, ...]
+Index: TypeAlias = dict[Row, dict[Row, None]]
 
 
 class Relation:
     """Rows of one predicate, in order of insertion, each with the round of the fixpoint in which it appeared."""
 
-    __slots__ = ("_indexes", "arity", "name", "rows", "touched")
-
     def __init__(self, name: str, arity: int, rows: Iterable[Row] = ()) -> None:
         self.name, self.arity = name, arity
-        self.rows: dict[Row, int] = {}
-        self._indexes: dict[Columns, dict[Row, list[Row]]] = {}
+        self.rows: dict[Row, int] = dict.fromkeys(rows, 0)
+        self._indexes: dict[Columns, Index] = {}
         self.touched = 0  # rows handed out by lookups: the measure of work that tests count
-        for row in rows:
-            self.add(row)
 
     def add(self, row: Row, round_: int = 0) -> bool:
         """Add a row; False when it was there already (its round then stays)."""
@@ -33,29 +30,53 @@ class Relation:
             return False
         self.rows[row] = round_
         for columns, index in self._indexes.items():
-            index.setdefault(tuple([row[c] for c in columns]), []).append(row)
+            key = tuple([row[c] for c in columns])
+            bucket = index.get(key)
+            if bucket is None:
+                index[key] = {row: None}
+            else:
+                bucket[row] = None
         return True
 
-    def matching(self, columns: Columns, key: Row) -> Sequence[Row]:
-        """The rows whose bound columns equal the key; with no column bound, all of them."""
+    def remove(self, row: Row) -> bool:
+        """Take a row out; False when it was not there."""
+        if self.rows.pop(row, None) is None:
+            return False
+        for columns, index in self._indexes.items():
+            key = tuple([row[c] for c in columns])
+            bucket = index[key]
+            del bucket[row]
+            if not bucket:
+                del index[key]
+        return True
+
+    def matching(self, columns: Columns, key: Row) -> Collection[Row]:
+        """The rows whose bound columns equal the key; with no column bound, all of them.
+
+        What comes back may be a view: add and remove rows only after it has been read.
+        """
         if not columns:
-            found: Sequence[Row] = list(self.rows)
+            found: Collection[Row] = self.rows
         elif len(columns) == self.arity:
-            found = (key,) if key in self.rows else ()
+            found = (key,) if key in self else ()
         else:
             index = self._indexes.get(columns)
             found = (self._build(columns) if index is None else index).get(key, ())
         self.touched += len(found)
         return found
 
-    def _build(self, columns: Columns) -> dict[Row, list[Row]]:
-        index: dict[Row, list[Row]] = {}
+    def _build(self, columns: Columns) -> Index:
+        index: Index = {}
         for row in self.rows:
-            index.setdefault(tuple([row[c] for c in columns]), []).append(row)
+            index.setdefault(tuple([row[c] for c in columns]), {})[row] = None
         self._indexes[columns] = index
         return index
 
-    def __contains__(self, row: Row) -> bool:
+    def round_of(self, row: Row) -> int:
+        """The round in which a row appeared."""
+        return self.rows[row]
+
+    def __contains__(self, row: object) -> bool:
         return row in self.rows
 
     def __iter__(self) -> Iterator[Row]:
@@ -65,4 +86,4 @@ class Relation:
         return len(self.rows)
 
     def __repr__(self) -> str:
-        return f"<{self.name}/{self.arity}: {len(self.rows)} rows>"
+        return f"<{self.name}/{self.arity}: {len(self)} rows>"

@@ -6,6 +6,7 @@ Every resolution step is counted; a search that outlives its budget raises inste
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import count
@@ -19,6 +20,7 @@ from casper.kb.relation import Relation
 from casper.kb.terms import Bindings, Compound, is_ground, renamed, substitute, unify
 
 Computed: TypeAlias = Callable[[Compound], Iterator[Compound]]
+BETWEEN_LOOKS = 64  # steps between two looks at the clock
 DEFAULT_BUDGET = 200_000
 DEFAULT_DEPTH = 150  # Python's own stack bounds a chain of rules; deeper is "unknown"
 _serials = count(1)  # shared by all searches: one may hand its variables to another, through valid/1
@@ -37,6 +39,8 @@ class Solver:
     budget: int = DEFAULT_BUDGET
     steps: int = 0
     floundering_fails: bool = False  # in constraints: what some value could still satisfy is not broken
+    deadline: float | None = None  # of time.monotonic()
+    cancelled: Callable[[], bool] | None = None  # asked now and then; true stops the search
 
     def solve(self, body: Sequence[Literal], bindings: Bindings | None = None, depth: int = 0) -> Iterator[Bindings]:
         """Every extension of the bindings under which the whole body holds, lazily.
@@ -100,10 +104,20 @@ class Solver:
 
     def _count(self, literal: Literal, depth: int) -> None:
         self.steps += 1
+        if self.steps % BETWEEN_LOOKS == 0:
+            self._look_up()
         if self.steps > self.budget or depth > DEFAULT_DEPTH:
             name, arity = literal.atom.indicator
             limit = f"{self.budget} steps" if self.steps > self.budget else f"{DEFAULT_DEPTH} levels of rules"
             raise BudgetExceeded(f"the search for {name}/{arity} stopped after {limit}: the answer is unknown")
+
+
+    def _look_up(self) -> None:
+        """Whether time has run out, or somebody wants the search to stop."""
+        if self.deadline is not None and time.monotonic() > self.deadline:
+            raise BudgetExceeded("the search stopped when its time was up: the answer is unknown")
+        if self.cancelled is not None and self.cancelled():
+            raise BudgetExceeded("the search was cancelled: the answer is unknown")
 
 
 def next_ready(body: Sequence[Literal], bindings: Bindings) -> int | None:

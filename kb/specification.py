@@ -13,7 +13,7 @@ from casper.kb.terms import substitute
 
 def naive_fixpoint(program: Program) -> dict[Indicator, Relation]:
     """All rows of every stored predicate."""
-    relations = {i: Relation(*i) for stratum in program.strata for i in stratum}
+    relations = {i: Relation(*i, program.given[i]) for stratum in program.strata for i in stratum}
     for stratum in program.strata:
         while any(_apply(program, indicator, relations) for indicator in sorted(stratum)):
             pass
@@ -23,5 +23,5 @@ def naive_fixpoint(program: Program) -> dict[Indicator, Relation]:
 def _apply(program: Program, indicator: Indicator, relations: dict[Indicator, Relation]) -> int:
     """Add what the clauses of one predicate derive from what is known; how many rows were new."""
     solver = Solver(relations, program.clauses, budget=10**9)
-    found = [substitute(c.head, s).args for c in program.clauses[indicator] for s in list(solver.solve(c.body))]
+    found = [substitute(c.head, s).args for c in program.rules[indicator] for s in list(solver.solve(c.body))]
     return sum(relations[indicator].add(row) for row in found)

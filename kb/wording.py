@@ -8,10 +8,13 @@ from casper.kb.writer import term_text
 
 _ADJECTIVE_ENDINGS = ("able", "ible", "ful", "less", "ing", "ed", "ous", "ive", "al", "y", "ic", "ent", "ant")
 _MASS_NOUNS = frozenset({"food", "water", "furniture", "equipment", "cutlery", "bread", "milk"})
-_NOUNS = frozenset(
-    "agent animal baby battery bed body boy building cable key meal patient plant ring table toy tray vegetable".split()
+_NOUNS = frozenset(  # with the ending of an adjective
+    {"agent", "animal", "baby", "battery", "bed", "body", "boy", "building", "cable", "key", "meal", "patient"}
+    | {"plant", "ring", "table", "toy", "tray", "vegetable"}
 )
-_ADJECTIVES = frozenset("broken clean closed cold dry fresh full good hot old open raw safe warm wet".split())
+_ADJECTIVES = frozenset(  # without one
+    {"broken", "clean", "cold", "fresh", "full", "good", "hot", "old", "open", "raw", "safe", "warm", "wet"}
+)
 
 
 def failure_sentence(literal: Literal) -> str:

@@ -1,18 +1,22 @@
 """From grammar to plans: every choice among alternatives, with parameters flowing through unification.
 
 Shapes in a body: ``(X ; Y)`` is a choice, ``optional(X)`` is X or nothing, ``unordered(X, Y, …)`` any order of its
-arguments, ``steps([a: X, b: Y, …], [a < b, …])`` any order that keeps the stated pairs. Each stands for the
-alternatives it allows, so a library with many of them is bounded by ``most_plans``.
+arguments, ``steps([a: X, b: Y, …], [a < b, …])`` any order that keeps the stated pairs, ``repeat(X, Min, Max)`` X
+from Min to Max times. Each stands for the alternatives it allows. They are either all spelled out (``most_plans``
+bounds the library), or, ``compact``, kept in the plan as `casper.plans.plan.Shape`; choices are spelled out in both,
+and so is an optional part that has several ways or settles a parameter of what surrounds it.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import permutations
-from typing import TypeAlias
+from itertools import islice, permutations
+from typing import Literal, TypeAlias
 
-from casper.kb.clauses import Literal, Production
+from casper.kb.clauses import Literal as Condition
+from casper.kb.clauses import Production
 from casper.kb.errors import Place, PlanError
 from casper.kb.terms import (
     NIL,
@@ -21,6 +25,7 @@ from casper.kb.terms import (
     Term,
     Variable,
     as_term,
+    is_ground,
     list_items,
     predication,
     renamed,
@@ -28,22 +33,35 @@ from casper.kb.terms import (
     unify,
 )
 from casper.kb.writer import term_text
-from casper.plans.plan import Action, Node, Plan, Task
+from casper.plans.plan import Action, Node, Plan, Shape, Task
 
 MOST_PLANS = 100_000
 Items: TypeAlias = tuple[Term, ...]
+_BOUND = "setting(plans, recursion, N) says how often it may"
 _ONLY_NAMES = "an item of a plan is an action or a task, such as wash(Plate, sink)"
 
 
 def expand(
-    goals: Sequence[tuple[Compound, Place]], productions: Sequence[Production], most_plans: int = MOST_PLANS
+    goals: Sequence[tuple[Compound, Place]],
+    productions: Sequence[Production],
+    most_plans: int = MOST_PLANS,
+    *,
+    compact: bool = False,
+    recursion: int = 0,
 ) -> Iterator[Plan]:
     """Every plan of every goal, in the author's order.
+
+    Args:
+        goals: the goals, with the places that state them.
+        productions: the grammar.
+        most_plans: the largest library there may be.
+        compact: keep shapes as they are instead of spelling out what they allow.
+        recursion: how often a task may stand inside itself; deeper choices are left out.
 
     Raises:
         PlanError: see `casper.plans.library.PlanLibrary.plans`.
     """
-    grammar = _Grammar(productions)
+    grammar = _Grammar(productions, compact, recursion)
     labels = _labels([goal for goal, _ in goals])
     total = 0
     for (goal, place), label in zip(goals, labels):
@@ -53,7 +71,7 @@ def expand(
         for node, bindings in grammar.task(goal, {}, (), place):
             root = _settled(node, bindings)
             assert isinstance(root, Task)
-            if not Plan(label, root).leaves:
+            if _can_be_empty(root):
                 raise PlanError(f"a plan of {label} has no action at all", place)
             yield Plan(label, root, way, place)
             way, total = way + 1, total + 1
@@ -64,12 +82,27 @@ def expand(
 
 
 def _labels(goals: Sequence[Compound]) -> list[str]:
-    names = [goal.functor for goal in goals]
-    return [g.functor if names.count(g.functor) == 1 else term_text(as_term(g)) for g in goals]
+    names = Counter(goal.functor for goal in goals)
+    return [g.functor if names[g.functor] == 1 else term_text(as_term(g)) for g in goals]
+
+
+def _can_be_empty(node: Node) -> bool:
+    if isinstance(node, Action):
+        return False
+    return (isinstance(node, Shape) and node.kind == "optional") or all(map(_can_be_empty, node.children))
+
+
+def _is_settled(node: Node) -> bool:
+    """Whether the tree has no parameter at all."""
+    if not isinstance(node, Shape) and len(node.term) > 1 and not is_ground(node.term):
+        return False
+    return isinstance(node, Action) or all(map(_is_settled, node.children))
 
 
 def _settled(node: Node, bindings: Bindings) -> Node:
     """The tree with every parameter replaced by what became of it, under names a person can read."""
+    if _is_settled(node):
+        return node
     names: dict[Variable, Variable] = {}
     taken: set[str] = set()
 
@@ -81,6 +114,8 @@ def _settled(node: Node, bindings: Bindings) -> Node:
         return Compound([name(part) for part in term]) if isinstance(term, Compound) else term
 
     def settle(node: Node) -> Node:
+        if isinstance(node, Shape):
+            return Shape(node.kind, tuple(settle(child) for child in node.children), node.order)
         term = name(substitute(node.term, bindings))
         if isinstance(node, Action):
             return Action(term, node.place)
@@ -109,9 +144,11 @@ class _Grammar:
 
     methods: dict[tuple[str, int], list[Production]]
 
-    def __init__(self, productions: Sequence[Production]) -> None:
+    def __init__(self, productions: Sequence[Production], compact: bool = False, recursion: int = 0) -> None:
         self.methods = {}
         self.serial = 0
+        self.compact, self.recursion = compact, recursion
+        self.actions: dict[tuple[Term, int], Action] = {}  # by item and place: large libraries repeat themselves
         for production in productions:
             self.methods.setdefault(production.head.indicator, []).append(production)
 
@@ -119,14 +156,19 @@ class _Grammar:
         self, term: Compound, bindings: Bindings, above: tuple[Compound, ...], place: Place
     ) -> Iterator[tuple[Task, Bindings]]:
         """Every way to do a task: its productions in order, each with every choice inside."""
-        if any(term.indicator == other.indicator for other in above):
+        inside = sum(term.indicator == other.indicator for other in above)
+        if inside > self.recursion > 0:
+            return
+        if inside > self.recursion:
             circle = " needs ".join(str(t.functor) for t in (*above, term))
-            raise PlanError(f"the task {term.functor} contains itself ({circle}); a plan must end", place)
+            raise PlanError(f"the task {term.functor} contains itself ({circle}); a plan must end: {_BOUND}", place)
         found = False
         for production in self.methods[term.indicator]:
-            self.serial += 1
-            head, body = renamed([production.head, production.body], self.serial)
-            extended = unify(term, head, bindings)
+            head, body = production.head, production.body
+            if not (is_ground(head) and is_ground(body)):
+                self.serial += 1
+                head, body = renamed([head, body], self.serial)
+            extended = unify(head, term, bindings)  # this way round the goal keeps its parameters' names
             if extended is not None:
                 found = True
                 for children, result in self.item(body, extended, (*above, term), production.place):
@@ -141,6 +183,10 @@ class _Grammar:
         term = predication(item)
         shape = SHAPES.get(term.functor) if term.indicator not in self.methods else None
         if shape is not None and term.args:
+            kept = self.kept(term, bindings, above, place) if self.compact and term.functor in KEPT else None
+            if kept is not None:
+                yield from kept
+                return
             for sequence in shape(term, place):
                 yield from self.sequence(sequence, bindings, above, place)
         elif term.indicator in self.methods:
@@ -150,25 +196,86 @@ class _Grammar:
             _check_action(term, place)
             yield (Action(term, place),), bindings
 
-    def sequence(self, items: Items, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Ways:
-        """Every way to do the items one after the other."""
+    def kept(self, term: Compound, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Ways | None:
+        """A shape as a node of the plan, one for every choice inside it; None where it must be spelled out."""
+        if term.functor == "optional":
+            serial = self.serial
+            ways = list(islice(self.sequence(term.args, bindings, above, place), 2))
+            if len(ways) != 1 or _settles(bindings, ways[0][1], serial):
+                return None
+            return iter([((Shape("optional", ways[0][0]),), ways[0][1])])
+        if term.functor == "steps":
+            items, order = _partial_order(term, place)
+            return self.together("steps", items, order, bindings, above, place)
+        return self.together("unordered", term.args, frozenset(), bindings, above, place)
+
+    def together(
+        self,
+        kind: Literal["unordered", "steps"],
+        items: Items,
+        order: frozenset[tuple[int, int]],
+        bindings: Bindings,
+        above: tuple[Compound, ...],
+        place: Place,
+    ) -> Ways:
+        """Every choice inside items that stand beside one another, as one node for each."""
+        for children, extended in self.sequence(items, bindings, above, place, self.wrapped):
+            yield (Shape(kind, children, order),), extended
+
+    def wrapped(self, item: Term, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Ways:
+        """Every way to do one item, as exactly one node."""
+        for nodes, extended in self.item(item, bindings, above, place):
+            yield (nodes if len(nodes) == 1 else (Shape("sequence", nodes),)), extended
+
+    def sequence(
+        self,
+        items: Items,
+        bindings: Bindings,
+        above: tuple[Compound, ...],
+        place: Place,
+        single: Callable[[Term, Bindings, tuple[Compound, ...], Place], Ways] | None = None,
+    ) -> Ways:
+        """Every way to do the items one after the other; ``single`` does one of them (by default `item`)."""
+        actions = self.leading_actions(items, place)
+        items = items[len(actions) :]
         if not items:
-            yield (), bindings
+            yield actions, bindings
             return
-        for first, extended in self.item(items[0], bindings, above, place):
-            for rest, result in self.sequence(items[1:], extended, above, place):
-                yield (*first, *rest), result
+        for first, extended in (single or self.item)(items[0], bindings, above, place):
+            for rest, result in self.sequence(items[1:], extended, above, place, single):
+                yield (*actions, *first, *rest), result
+
+    def leading_actions(self, items: Items, place: Place) -> tuple[Action, ...]:
+        """The items up to the first that is no plain action: nothing is to be chosen there."""
+        actions = []
+        for item in items:
+            action = self.actions.get((item, id(place)))
+            if action is None:
+                term = Compound((item,)) if isinstance(item, str) else item
+                if not isinstance(term, Compound) or term.indicator in self.methods or term[0] in SHAPES:
+                    break
+                _check_action(term, place)
+                action = self.actions[item, id(place)] = Action(term, place)
+            actions.append(action)
+        return tuple(actions)
+
+
+def _settles(before: Bindings, after: Bindings, serial: int) -> bool:
+    """Whether parameters that were there before (those with a serial number up to this one) were given a value."""
+    values = [substitute(v, after) for v in after.keys() - before.keys() if v.serial <= serial]
+    fresh = {v for v in values if isinstance(v, Variable) and v.serial > serial}
+    return len(fresh) != len(values)
 
 
 def _check_action(term: Compound, place: Place) -> None:
     named = term.functor[:1].isalpha() or term.functor[:1] == "_"
-    if not named or Literal(term).is_comparison:
+    if not named or Condition(term).is_comparison:
         shown = term_text(renamed([as_term(term)], 0)[0])
         raise PlanError(f"{shown} cannot stand in a plan: {_ONLY_NAMES}", place)
 
 
-def _steps(term: Compound, place: Place) -> Iterator[Items]:
-    """Every order of labelled steps that keeps the stated pairs."""
+def _partial_order(term: Compound, place: Place) -> tuple[Items, frozenset[tuple[int, int]]]:
+    """The items of ``steps`` in an order that it allows, and which of them must come before which."""
     import networkx as nx  # only plans with partial orders need it
 
     lists = [list_items(arg) for arg in term.args]
@@ -190,14 +297,41 @@ def _steps(term: Compound, place: Place) -> Iterator[Items]:
         graph.add_edge(pair[1], pair[2])
     if not nx.is_directed_acyclic_graph(graph):
         raise PlanError("the order of these steps runs in a circle", place)
-    for order in nx.all_topological_sorts(graph):
-        yield tuple(items[label] for label in order)
+    written = {label: at for at, label in enumerate(items)}
+    order = {label: at for at, label in enumerate(nx.lexicographical_topological_sort(graph, written.__getitem__))}
+    return tuple(items[label] for label in order), frozenset((order[a], order[b]) for a, b in graph.edges)
 
 
+def _steps(term: Compound, place: Place) -> Iterator[Items]:
+    """Every order of labelled steps that keeps the stated pairs."""
+    import networkx as nx
+
+    items, order = _partial_order(term, place)
+    graph: nx.DiGraph = nx.DiGraph()
+    graph.add_nodes_from(range(len(items)))
+    graph.add_edges_from(sorted(order))
+    for numbers in nx.all_topological_sorts(graph):
+        yield tuple(items[number] for number in numbers)
+
+
+def _repeat(term: Compound, place: Place) -> Iterator[Items]:
+    """As often as must be, and then once more, and once more, as long as it may be."""
+    *item, least, most = term.args
+    if len(item) != 1 or type(least) is not int or type(most) is not int or not 0 <= least <= most or most == 0:
+        shown = term_text(renamed([term], 0)[0])
+        raise PlanError(f"{shown}: repeat takes an item and two whole numbers: repeat(stir, 1, 3)", place)
+    more: Items = ()
+    for _ in range(most - least):
+        more = (Compound(("optional", *item, *more)),)
+    return iter([(*item * least, *more)])
+
+
+KEPT = frozenset({"optional", "unordered", "steps"})
 SHAPES: dict[str, Callable[[Compound, Place], Iterator[Items]]] = {
     ",": lambda term, _: iter([term.args]),
     ";": lambda term, _: iter([(alternative,) for alternative in term.args]),
     "optional": lambda term, _: iter([term.args, ()]),
     "unordered": lambda term, _: (tuple(order) for order in permutations(term.args)),
     "steps": _steps,
+    "repeat": _repeat,
 }

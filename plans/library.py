@@ -9,7 +9,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 
 from casper.kb.clauses import Clause, Production, Sentence
 from casper.kb.errors import Place, PlanError
@@ -17,22 +18,28 @@ from casper.kb.reader import read_statement, read_text
 from casper.kb.terms import Compound, Term, Variable, as_term, predication, substitute, variables_of
 from casper.kb.writer import program_text, term_text
 from casper.plans.expansion import MOST_PLANS, SHAPES, expand
-from casper.plans.plan import Plan
+from casper.plans.plan import Plan, is_plain
+from casper.plans.simple import simple_term
 
 GOAL = ("goal", 1)
+RECURSION = ("setting", "plans", "recursion")
 
 
 class PlanLibrary:
     """Productions and goals in the author's order.
 
-    ``plans`` holds every way to pursue every goal: one `Plan` for each choice among alternatives.
+    ``ways`` holds a `Plan` for each choice among alternatives, with its shapes (optional, unordered and partly ordered
+    steps) kept as they are: what the engine works on. ``plans`` spells the shapes out too: one `Plan` for each order
+    and each set of optional steps.
     """
 
     def __init__(self, sentences: Iterable[Sentence] = (), most_plans: int = MOST_PLANS) -> None:
         self._productions: list[Production] = []
         self._goals: list[Clause] = []
         self._most_plans = most_plans
+        self._recursion: Clause | None = None
         self._plans: tuple[Plan, ...] | None = None
+        self._ways: tuple[Plan, ...] | None = None
         self.add(sentences)
 
     @classmethod
@@ -43,7 +50,7 @@ class PlanLibrary:
             ReadError, PlanError: with the place of the first mistake.
         """
         library = cls(read_text(text, file))
-        _ = library.plans
+        _ = library.ways
         return library
 
     def add(self, sentences: Iterable[Sentence]) -> None:
@@ -53,15 +60,23 @@ class PlanLibrary:
                 self._productions.append(sentence)
             elif isinstance(sentence, Clause) and sentence.head.indicator == GOAL:
                 self._goals.append(sentence)
-        self._plans = None
+            elif isinstance(sentence, Clause) and sentence.head[:-1] == RECURSION:
+                _depth(sentence)
+                self._recursion = sentence
+        self._plans = self._ways = None
 
     def plan(self, head: str, *body: str) -> None:
         """State a production: ``library.plan("clean(V)", "pick_and_place(V, sink)", "wash(V, sink)")``."""
-        self.add(read_text(f"{head} --> {', '.join(body)}."))
+        terms = [simple_term(text) for text in (head, *body)]
+        if None in terms or not body:
+            self.add(read_text(f"{head} --> {', '.join(body)}."))
+        else:  # plain names and parameters need no parser
+            items = [as_term(term) for term in terms[1:] if term is not None]
+            self.add([Production(terms[0] or Compound(), items[0] if len(items) == 1 else Compound((",", *items)))])
 
     def goal(self, head: str) -> None:
         """State that a head of productions is a goal."""
-        self.add([Clause(Compound(("goal", as_term(read_statement(head)))))])
+        self.add([Clause(Compound(("goal", as_term(simple_term(head) or read_statement(head)))))])
 
     @property
     def productions(self) -> Sequence[Production]:
@@ -82,7 +97,7 @@ class PlanLibrary:
     def actions(self) -> dict[tuple[str, int], Place]:
         """The terminals Sigma by name and arity, with the place of the first production that names each."""
         found: dict[tuple[str, int], Place] = {}
-        for action in (action for plan in self.plans for action in plan.actions):
+        for action in (action for plan in self.ways for action in plan.actions):
             found.setdefault(action.term.indicator, action.place)
         return found
 
@@ -94,17 +109,36 @@ class PlanLibrary:
             PlanError: a goal or task without production, a task that contains itself, an empty or endless library.
         """
         if self._plans is None:
-            self._plans = tuple(expand(self._goal_terms(), self._productions, self._most_plans))
+            if self._ways is not None and all(map(is_plain, self._ways)):
+                self._plans = self._ways
+            else:
+                self._plans = tuple(self._expanded(compact=False))
         return self._plans
+
+    @property
+    def ways(self) -> tuple[Plan, ...]:
+        """As `plans`, with shapes kept: a task of seventeen partly ordered steps is one plan.
+
+        Raises:
+            PlanError: as `plans`.
+        """
+        if self._ways is None:
+            self._ways = tuple(self._expanded(compact=True))
+        return self._ways
+
+    def _expanded(self, compact: bool) -> Iterator[Plan]:
+        goals = self._goal_terms()
+        return expand(goals, self._productions, self._most_plans, compact=compact, recursion=_depth(self._recursion))
 
     @property
     def goals(self) -> tuple[str, ...]:
         """The labels of the goals, in order."""
-        return tuple(dict.fromkeys(plan.label for plan in self.plans))
+        return tuple(dict.fromkeys(plan.label for plan in self.ways))
 
     def to_text(self) -> str:
         """The library as text that reads in as the same one."""
-        return program_text([*self._goals, *self._productions])
+        settings = [] if self._recursion is None else [self._recursion]
+        return program_text([*settings, *self._goals, *self._productions])
 
     def _goal_terms(self) -> list[tuple[Compound, Place]]:
         """The stated goals; where none is stated, every task that no production uses."""
@@ -114,13 +148,16 @@ class PlanLibrary:
                 goal = _goal_of(clause)
                 stated.setdefault(_general_names(goal), (goal, clause.place))
             return list(stated.values())
-        used = {indicator for p in self._productions for indicator in _mentioned(p.body)}
+        used: set[tuple[str, int]] = set()
+        for production in self._productions:
+            used.update(_mentioned(production.body))
         heads = {p.head.indicator: p for p in reversed(self._productions) if p.head.indicator not in used}
         if self._productions and not heads:
             place = self._productions[0].place
             raise PlanError("every task is part of another one: say which are goals, with goal(Name).", place)
         ordered = [p for p in self._productions if heads.get(p.head.indicator) is p]
-        return [(p.head if _is_general(p, self._productions) else _general(p.head), p.place) for p in ordered]
+        times = Counter(p.head.indicator for p in self._productions)
+        return [(p.head if times[p.head.indicator] == 1 else _general(p.head), p.place) for p in ordered]
 
     def __len__(self) -> int:
         return len(self.plans)
@@ -144,8 +181,14 @@ def _general_names(goal: Compound) -> Compound:
     return named
 
 
-def _is_general(production: Production, productions: Sequence[Production]) -> bool:
-    return sum(p.head.indicator == production.head.indicator for p in productions) == 1
+def _depth(setting: Clause | None) -> int:
+    """The bound of ``setting(plans, recursion, N)``; 0 when it is not stated."""
+    if setting is None:
+        return 0
+    bound = setting.head[-1]
+    if not isinstance(bound, int) or bound < 0 or setting.body:
+        raise PlanError("setting(plans, recursion, N) takes a whole number, the depth to unroll to", setting.place)
+    return bound
 
 
 def _general(head: Compound) -> Compound:
@@ -155,10 +198,13 @@ def _general(head: Compound) -> Compound:
 
 def _mentioned(body: Term) -> Iterable[tuple[str, int]]:
     """Name and arity of every item of a production's body, through brackets, shapes and alternatives."""
-    if isinstance(body, str):
-        yield body, 0
-    elif isinstance(body, Compound):
-        yield body.indicator
-        if body.functor in SHAPES or body.functor in (".", ":"):  # the lists and labels of steps
-            for arg in body.args:
-                yield from _mentioned(arg)
+    waiting, found = [body], []
+    while waiting:
+        item = waiting.pop()
+        if isinstance(item, str):
+            found.append((item, 0))
+        elif isinstance(item, Compound):
+            found.append(item.indicator)
+            if item.functor in SHAPES or item.functor in (".", ":"):  # the lists and labels of steps
+                waiting.extend(item[1:])
+    return found

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 from casper.kb.errors import Place
 from casper.kb.terms import Compound, Variable, as_term, variables_of
 from casper.kb.writer import term_text
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Task:
     """An inner node: the goal itself or a non-terminal, with what it is done by, in order."""
 
@@ -19,7 +19,7 @@ class Task:
     children: tuple[Node, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Action:
     """A leaf: an action the partner can be seen to do; its agent is left out. ``place`` is its production's."""
 
@@ -27,7 +27,20 @@ class Action:
     place: Place = field(default=Place(), compare=False)
 
 
-Node: TypeAlias = Task | Action
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """Steps of a task that are more than one after the other: they hang from the task that the shape stands in.
+
+    ``kind`` is ``sequence``, ``optional`` (both in order), ``unordered``, or ``steps``: then ``order`` holds the pairs
+    of child numbers of which the first comes before the second, and the children stand in an order that keeps them.
+    """
+
+    kind: Literal["sequence", "optional", "unordered", "steps"]
+    children: tuple[Node, ...]
+    order: frozenset[tuple[int, int]] = frozenset()
+
+
+Node: TypeAlias = Task | Action | Shape
 
 
 @dataclass(frozen=True)
@@ -35,8 +48,9 @@ class Plan:
     """One way to pursue a goal.
 
     ``label`` is what the goal is called in results: its name, or the whole term where several goals share the name.
-    ``way`` numbers the plans of one goal from 0. Parameters that are not settled are variables, the same ones in the
-    goal and in the leaves.
+    ``way`` numbers the plans of one goal from 0. ``leaves`` stand in one order that the plan allows (the only one,
+    where it has no `Shape`). Parameters that are not settled are variables, the same ones in the goal and in the
+    leaves.
     """
 
     label: str
@@ -73,3 +87,15 @@ def _leaves(node: Node) -> list[Action]:
     if isinstance(node, Action):
         return [node]
     return [leaf for child in node.children for leaf in _leaves(child)]
+
+
+def is_plain(plan: Plan) -> bool:
+    """Whether the plan's actions simply follow one another: no shape is left in its tree."""
+    waiting: list[Node] = [plan.root]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, Shape):
+            return False
+        if isinstance(node, Task):
+            waiting.extend(node.children)
+    return True

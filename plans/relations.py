@@ -21,7 +21,7 @@ RELATIONS = (("step", 3), ("uses", 2), ("task", 1))
 def plan_clauses(library: PlanLibrary) -> Iterator[Clause]:
     """The clauses of step/3, uses/2 and task/1 for a library."""
     seen: set[Clause] = set()
-    for plan in library.plans:
+    for plan in library.ways:
         goal = as_term(plan.goal)
         condition = (Literal(Compound(("goal", goal))),)
         parameters = set(variables_of(goal))

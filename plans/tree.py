@@ -7,9 +7,12 @@ what it is done by. Every node has the attributes
     name     its functor
     kind     "goal", "task" or "action"
     leaf     the number of the action among the plan's leaves, from 0 (None for a goal or task)
-    status   "observed", "missed" or "unobserved"; a task is observed (missed) when all its leaves are, else unobserved
+    status   "observed", "missed" or "unobserved"; a task is observed (missed) when all its leaves are, else unobserved;
+             an optional leaf that was passed over and is no part of the plan is "skipped"
+    optional whether it may be left out
 
-These are the paper's conventions: filled, textured and dashed nodes (figure "score").
+Shapes have no node of their own: what stands in them hangs from their task, in an order that they allow. These are
+the paper's conventions: filled, textured and dashed nodes (figure "score").
 """
 
 from __future__ import annotations
@@ -20,13 +23,13 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from casper.kb.terms import Bindings, as_term, substitute
 from casper.kb.writer import term_text
-from casper.plans.plan import Action, Node, Plan
+from casper.plans.plan import Action, Node, Plan, Shape
 
 if TYPE_CHECKING:
     import networkx as nx
 
-Status: TypeAlias = Literal["observed", "missed", "unobserved"]
-MARKS: dict[str, str] = {"observed": "●", "missed": "✗", "unobserved": "○"}
+Status: TypeAlias = Literal["observed", "missed", "unobserved", "skipped"]
+MARKS: dict[str, str] = {"observed": "●", "missed": "✗", "unobserved": "○", "skipped": "–"}
 
 
 def statuses(leaves: int, marks: Iterable[int]) -> tuple[Status, ...]:
@@ -46,22 +49,26 @@ def plan_tree(plan: Plan, status: Sequence[Status] | None = None, bindings: Bind
     tree: nx.DiGraph = nx.DiGraph()
     numbers, leaf_numbers = count(), count()
 
-    def add(node: Node) -> int:
+    def add(node: Node, optional: bool) -> list[int]:
+        if isinstance(node, Shape):
+            inside = optional or node.kind == "optional"
+            return [number for child in node.children for number in add(child, inside)]
         number = next(numbers)
         text = term_text(as_term(substitute(node.term, bindings or {})))
+        common = {"term": text, "name": node.term.functor, "optional": optional}
         if isinstance(node, Action):
             leaf = next(leaf_numbers)
-            tree.add_node(number, term=text, name=node.term.functor, kind="action", leaf=leaf, status=marked[leaf])
-            return number
+            tree.add_node(number, **common, kind="action", leaf=leaf, status=marked[leaf])
+            return [number]
         kind = "goal" if number == 0 else "task"
-        tree.add_node(number, term=text, name=node.term.functor, kind=kind, leaf=None, status="unobserved")
-        children = [add(child) for child in node.children]
+        tree.add_node(number, **common, kind=kind, leaf=None, status="unobserved")
+        children = [below for child in node.children for below in add(child, optional)]
         tree.add_edges_from((number, child) for child in children)
         below = {tree.nodes[child]["status"] for child in children}
         tree.nodes[number]["status"] = below.pop() if len(below) == 1 else "unobserved"
-        return number
+        return [number]
 
-    add(plan.root)
+    add(plan.root, False)
     return tree
 
 

@@ -20,7 +20,8 @@ def program_of(text):
 
 
 def clauses_of(program):
-    return [clause for found in program.clauses.values() for clause in found]
+    facts = [clause for found in program.given.values() for clause in found.values()]
+    return [*facts, *(rule for found in program.rules.values() for rule in found)]
 
 
 @given(programs())

@@ -6,9 +6,9 @@ from programs import BASE, DERIVED, atoms_of, ground_terms, holds, match, progra
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.clauses import Literal
+from casper.kb.reader import read_query
 from casper.kb.terms import Compound, is_ground
 from casper.kb.wording import failure_sentence, noun_phrase
-from casper.kb.reader import read_query
 
 
 def rows_of(base):
@@ -28,11 +28,13 @@ def check(proof, base, rows, above=()):
     assert len(proof.premises) == len(proof.clause.body)
     for literal, premise in zip(proof.clause.body, proof.premises):
         assert premise.literal.negated == literal.negated
+        if not literal.negated:
+            environment = match(literal.atom, premise.fact, environment)
+            assert environment is not None
+        check(premise, base, rows, (*above, proof.fact))
+    for literal, premise in zip(proof.clause.body, proof.premises):
         if literal.negated:  # what an anonymous part stands for is left open
-            assert str(put(literal.atom, environment)) == str(premise.fact) or is_ground(premise.fact)
-        environment = match(literal.atom, premise.fact, environment)
-        assert environment is not None
-        check(premise, base, rows, above if literal.negated else (*above, proof.fact))
+            assert str(put(literal.atom, environment)) == str(premise.fact)
 
 
 @given(programs())

@@ -1,10 +1,13 @@
 """Plan grammars: what plans they expand to, and what is refused."""
 
+from itertools import permutations
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from casper.kb.errors import PlanError, ReadError
+from casper.kb.reader import read_text
 from casper.plans.library import PlanLibrary
 
 
@@ -14,7 +17,7 @@ def leaves(text):
 
 
 def test_a_goal_is_done_by_its_actions_in_order():
-    assert leaves("goal(tea). tea --> boil, pour.") == ["boil() pour()"] or leaves("goal(tea). tea --> boil, pour.")
+    assert leaves("goal(tea). tea --> boil, pour.") == ["boil pour"]
 
 
 @pytest.mark.parametrize(
@@ -51,8 +54,6 @@ def test_steps_keep_every_stated_pair_and_lose_no_order(count, data):
     labelled = ", ".join(f"{n}: do_{n}" for n in names)
     text = f"goal(g). g --> steps([{labelled}], [{', '.join(f'{x} < {y}' for x, y in pairs)}])."
     orders = ["".join(leaf.functor[-1] for leaf in plan.leaves) for plan in PlanLibrary.from_text(text).plans]
-    from itertools import permutations
-
     expected = {"".join(p) for p in permutations(names) if all(p.index(x) < p.index(y) for x, y in pairs)}
     assert len(orders) == len(set(orders))
     assert set(orders) == expected
@@ -196,8 +197,9 @@ def test_a_library_with_a_mistake_is_refused_with_its_place(text, sentence):
 
 def test_a_library_with_too_many_plans_is_refused():
     body = ", ".join(f"a{n}" for n in range(12))
-    with pytest.raises(PlanError, match="more than 100000 plans; g alone has"):
-        PlanLibrary.from_text(f"goal(g). g --> unordered({body}).")
+    library = PlanLibrary(read_text(f"goal(g). g --> unordered({body})."), most_plans=1000)
+    with pytest.raises(PlanError, match="more than 1000 plans; g alone has 1001"):
+        _ = library.plans
 
 
 def test_a_production_head_that_is_no_name_is_refused():

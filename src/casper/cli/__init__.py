@@ -1,6 +1,7 @@
 """The command line. Every command takes ``--json``: one JSON object a line, nothing else on standard output.
 
-Exit codes: 0 done, 1 (verify only) some statement is not valid, 2 a mistake, told in one sentence on standard error.
+Exit codes: 0 done, 1 some statement is not valid (verify) or the domain has errors (check), 2 a mistake, told in one
+sentence on standard error.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ import sys
 
 import typer
 
+from casper.cli.check import check
 from casper.cli.explain import explain
 from casper.cli.query import query
 from casper.cli.run import run
@@ -24,7 +26,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-for command in (run, explain, verify, query, watch, train):
+for command in (run, explain, verify, query, watch, check, train):
     app.command()(command)
 
 

@@ -1,0 +1,94 @@
+"""What a benchmark yields, how time is taken, and the sizes of a run.
+
+Every figure is a median of repeated runs after an untimed warm-up. Garbage is collected before each run; the collector
+stays on in runs of milliseconds and more (its users have it on), and is off in the loops that time microseconds.
+"""
+
+import gc
+import statistics
+import time
+from collections.abc import Callable, Hashable, Iterable
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+from zlib import crc32
+
+Row: TypeAlias = tuple[str | int, ...]
+Rows: TypeAlias = list[Row]
+OURS = "casper"
+CONTROL = "run(1, True, eq(1, 1))"
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """One engine's seconds on one task, with its answers: they must be equal within the task."""
+
+    task: str
+    engine: str
+    seconds: float
+    answers: Hashable = None  # None: nothing to compare
+
+
+@dataclass(frozen=True, slots=True)
+class Skipped:
+    """A measurement that did not take place, and why."""
+
+    task: str
+    engine: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Sizes:
+    """How large the tasks of a run are, and how often they are repeated."""
+
+    rows: tuple[int, ...] = (100, 1_000, 10_000, 100_000)
+    random_graph: tuple[int, int] = (1_000, 2_000)  # nodes, edges
+    chain: int = 1_000
+    cycle: int = 500
+    ontology: float = 1.0
+    updates: int = 200
+    repeats: int = 3
+    loop_seconds: float = 0.05
+    patience: float = 0.1  # a peer slower than this at one number of rows is not asked at ten times as many
+    limit: float = 60.0  # seconds for one peer's process
+
+
+FULL = Sizes()
+TINY = Sizes((30, 60), (12, 20), 10, 8, 0.01, 4, 1, 0.0005, 0.1, 30.0)
+
+
+def per_call(function: Callable[..., Any], *args: Any, seconds: float, runs: int = 7) -> float:
+    """Median seconds of one call, over runs of as many calls as fit into the given seconds."""
+    function(*args)
+    began = time.perf_counter()
+    function(*args)
+    once = time.perf_counter() - began
+    number = max(1, int(seconds / max(once, 1e-8)))
+    runs = runs if once < 0.1 else min(runs, 3)
+    times = []
+    for _ in range(runs):
+        gc.collect()
+        gc.disable()
+        began = time.perf_counter()
+        for _ in range(number):
+            function(*args)
+        times.append((time.perf_counter() - began) / number)
+        gc.enable()
+    return statistics.median(times)
+
+
+def timed(function: Callable[[], Any]) -> tuple[float, Any]:
+    """Seconds of one call after a collection, and its result."""
+    gc.collect()
+    began = time.perf_counter()
+    result = function()
+    return time.perf_counter() - began, result
+
+
+def fingerprint(rows: Iterable[Iterable[Any]]) -> tuple[int, int]:
+    """How many rows there are, and a sum over them that does not depend on their order."""
+    count = total = 0
+    for row in rows:
+        count += 1
+        total += crc32(" ".join(map(str, row)).encode())
+    return count, total
