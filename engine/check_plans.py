@@ -44,7 +44,7 @@ def plans_nobody_can_do(domain: Domain) -> Iterator[Finding]:
         if obstacle is None:
             yield from _never_seen(domain, plan)
         elif plan.label in possible:
-            yield warning(obstacle.place, f"one way to {plan.label} cannot be gone: {obstacle}")
+            yield warning(obstacle.place, f"one way to pursue {plan.label} is impossible: {obstacle}")
         else:
             yield error(plan.place, f"the goal {plan.label} cannot be pursued: {obstacle}")
 

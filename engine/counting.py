@@ -1,194 +1,167 @@
-"""The counting engine: Algorithm 1 without copying a tree.
+"""The counting engine: Algorithm 1 without copying a tree, with all its extensions.
 
-Marking a leaf turns every unobserved leaf on its left into missed for good, so the explanations of a plan are the
-strictly increasing tuples of leaves that spell the observations. Per plan and observation a level counts them by
-(last marked leaf, binding):
+Marking a leaf closes every leaf that the plan puts before it; those unobserved are missed for good. So the explanations
+of a plan are the ways to give the observations leaves that are open then, and all that the rest depends on is a *state*:
+what is closed, which open optional parts were entered, how many leaves the plan has by now, how many it missed, how many
+observations were needless, and what is known of the parameters. Per plan and observation a level counts the
+explanations that end in each state:
+
+    C_k[s'] = sum of C_{k-1}[s] over the states s from which observation k leads to s'
+
+For a plan whose actions simply follow one another the closed leaves are those up to the last marked one j, and
 
     C_1[j] = [leaf j can be o_1]        C_k[j] = [leaf j can be o_k] * sum of C_{k-1}[i] over i < j
 
-The score depends on (n, k, j) only, so counts, posteriors, the best explanation and a best-first stream of all of
-them follow without enumerating any (shared facts: section "Algorithm 1, and how to do it without enumerating").
+The score depends on the state only, so exact counts, posteriors, the best explanation, ties and a best-first stream
+follow without enumerating any. `docs/recognition.md` says what every extension means; `engine.tree_copying` is the
+specification of the plain case and brute force of the others (tests).
 """
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from heapq import heapify, heappop, heappush
 from typing import TypeAlias
 
 from casper.engine.matching import Binding, Matcher, Mismatch
-from casper.engine.observation import Observation
-from casper.engine.scoring import numerator, score
+from casper.engine.observation import Seen, options_of
+from casper.engine.paths import best_first
+from casper.engine.scoring import Score, paper
+from casper.plans.chart import Chart, chart_of
 from casper.plans.plan import Plan
 
-State: TypeAlias = tuple[int, Binding]  # the last marked leaf (-1: none yet), what is known of the parameters
+State: TypeAlias = tuple[int, int, int, int, int, Binding]
+"""Closed leaves, entered optional parts, leaves of the plan, missed, needless observations, binding."""
 Level: TypeAlias = dict[State, int]  # how many explanations end in each state
-Edges: TypeAlias = dict[State, Binding]  # (leaf, binding before) -> binding after: what was matched at one observation
-Path: TypeAlias = tuple[tuple[int, ...], Binding]  # marked leaves from left to right, and the final binding
+Edge: TypeAlias = tuple[int, Binding, float]  # leaf, binding after, likelihood
+Edges: TypeAlias = dict[Binding, list[Edge]]  # by binding before: what was matched at one observation
+Weight: TypeAlias = tuple[float, float, int]  # sum and largest of the likelihoods of a state's paths; how many are largest
+Step: TypeAlias = tuple[State, float]
+
+NEEDLESS = -1  # the mark of an observation that was taken for no leaf
 
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """All explanations of one plan that end in one leaf: they share their score and their frontier."""
+    """All explanations of one plan that end in one state: they share their score and their frontier.
 
-    plan: int
-    last: int
-    count: int
-    score: float
-
-
-@dataclass
-class Counting:
-    """Counts for a library, observation by observation; ``undo`` takes the last one back.
-
-    ``levels[k][p]`` is plan p's level after k observations.
+    ``score`` is that of the best of them (all of them, unless actions were uncertain), ``weight`` the score times the
+    goal's prior, ``ties`` how many reach it.
     """
 
-    plans: Sequence[Plan]
-    matcher: Matcher
-    observations: list[Observation] = field(default_factory=list)
-    levels: list[list[Level]] = field(init=False)
-    mismatches: dict[int, dict[str, None]] = field(init=False)  # by plan: why it was cut at the last observation
+    plan: int
+    state: State
+    count: int
+    score: float
+    weight: float
+    ties: int
 
-    def __post_init__(self) -> None:
-        self._positions = [_positions(plan) for plan in self.plans]
-        self.mismatches = {}
-        self.levels = [[self._initial(plan) for plan in range(len(self.plans))]]
-        self._edges: list[list[Edges]] = []
+    @property
+    def missed(self) -> int:
+        """Leaves that were missed."""
+        return self.state[3]
 
-    def _initial(self, plan: int) -> Level:
-        binding = self.matcher.initial(plan)
-        if isinstance(binding, Mismatch):
-            self._note(plan, binding)
-            return {}
-        return {(-1, binding): 1}
 
-    def observe(self, observation: Observation) -> None:
+@dataclass(frozen=True, slots=True)
+class Found:
+    """One explanation as the engine tells it: marks has a leaf (or `NEEDLESS`) for every observation."""
+
+    plan: int
+    marks: tuple[int, ...]
+    binding: Binding
+    score: float
+    weight: float
+    missed: int
+
+
+class Counting:
+    """Counts for some plans, observation by observation; ``undo`` takes the last one back.
+
+    Args:
+        plans: the plans; their shapes may be anything.
+        matcher: what can be taken for what.
+        noise: the factor on a score for each observation that is needless or misread; None allows none.
+        priors: per plan the prior of its goal.
+        measure: the score.
+    """
+
+    def __init__(
+        self,
+        plans: Sequence[Plan],
+        matcher: Matcher,
+        noise: float | None = None,
+        priors: Sequence[float] | None = None,
+        measure: Score = paper,
+    ) -> None:
+        self.plans, self.matcher, self.noise, self.measure = plans, matcher, noise, measure
+        self.priors = priors or (1.0,) * len(plans)
+        self.charts = [chart_of(plan) for plan in plans]
+        self._positions = [positions_of(plan) for plan in plans]
+        self.observations: list[Seen] = []
+        self.mismatches: list[dict[int, dict[str, None]]] = [{}]  # after each observation, by plan: why it was cut
+        self.levels: list[dict[int, Level]] = [{}]
+        self._edges: list[dict[int, Edges]] = []
+        self._weights: list[dict[int, dict[State, Weight]] | None] = [None]
+        self._groups: list[Group] | None = None
+        for plan, chart in enumerate(self.charts):
+            binding = matcher.initial(plan)
+            if isinstance(binding, Mismatch):
+                self._note(plan, binding)
+            else:
+                self.levels[0][plan] = {(*chart.start, 0, binding): 1}
+
+    # --- observing -------------------------------------------------------------------------------------------------
+
+    def observe(self, seen: Seen) -> None:
         """Advance every plan by one observation."""
-        self.mismatches = {}
-        before = self.levels[-1]
-        steps = [self._advance(plan, before[plan], observation) for plan in range(len(self.plans))]
-        self.levels.append([level for level, _ in steps])
-        self._edges.append([edges for _, edges in steps])
-        self.observations.append(observation)
-        self.matcher.observed(observation)
+        options = options_of(seen)
+        self.mismatches.append({})
+        level: dict[int, Level] = {}
+        edges: dict[int, Edges] = {}
+        for plan, before in self.levels[-1].items():
+            matched = self._matched(plan, before, options)
+            advanced = self._advanced(plan, before, matched)
+            if advanced:
+                level[plan], edges[plan] = advanced, matched
+        self._weights.append(self._weighed(level, edges, uncertain=options[0][1] != 1.0 or len(options) > 1))
+        self.levels.append(level)
+        self._edges.append(edges)
+        self.observations.append(seen)
+        self.matcher.observed(options[0][0], certain=len(options) == 1)
+        self._groups = None
 
     def undo(self) -> None:
         """Take back the last observation."""
-        self.levels.pop()
-        self._edges.pop()
-        self.observations.pop()
+        for kept in (self.levels, self._edges, self.observations, self.mismatches, self._weights):
+            kept.pop()  # type: ignore[attr-defined]
         self.matcher.forget()
-        self.mismatches = {}
+        self._groups = None
 
-    def _advance(self, plan: int, level: Level, observation: Observation) -> tuple[Level, Edges]:
-        positions = self._positions[plan].get(observation.action)
-        if not level or positions is None:
-            return {}, {}
-        states = sorted(level.items(), key=lambda item: item[0][0])
-        passed: defaultdict[Binding, int] = defaultdict(int)  # sum of counts over the leaves left of this one
-        at, advanced, edges = 0, defaultdict[State, int](int), {}
-        for leaf in positions:
-            while at < len(states) and states[at][0][0] < leaf:
-                (_, binding), count = states[at]
-                passed[binding] += count
-                at += 1
-            for binding, count in passed.items():
-                matched = self.matcher.match(plan, leaf, observation, binding)
-                if isinstance(matched, Mismatch):
-                    self._note(plan, matched)
-                else:
-                    edges[leaf, binding] = matched
-                    advanced[leaf, matched] += count
-        return dict(advanced), edges
+    def fork(self) -> Counting:
+        """A copy that goes its own way; what was counted so far is shared."""
+        other = object.__new__(Counting)
+        other.__dict__.update(self.__dict__)
+        for name in ("levels", "_edges", "observations", "mismatches", "_weights"):
+            setattr(other, name, list(getattr(self, name)))
+        other.matcher = self.matcher.fork()
+        return other
 
-    def _note(self, plan: int, mismatch: Mismatch) -> None:
-        self.mismatches.setdefault(plan, {}).update(dict.fromkeys(mismatch.reasons))
-
-    # --- what the counts say ---------------------------------------------------------------------------------------
-
-    @property
-    def explained(self) -> int:
-        """How many observations were taken in."""
-        return len(self.observations)
-
-    def groups(self) -> list[Group]:
-        """The groups of explanations, best first; equal scores in the order of the library."""
-        found = []
-        for number, level in enumerate(self.levels[-1]):
-            leaves, counts = len(self.plans[number].leaves), defaultdict[int, int](int)
-            for (last, _), count in level.items():
-                counts[last] += count
-            found += [Group(number, j, c, score(leaves, self.explained, j)) for j, c in counts.items()]
-        return sorted(found, key=lambda g: (-g.score, g.plan, g.last))
-
-    @property
-    def count(self) -> int:
-        """The exact number of explanations; before the first observation, of plans."""
-        return sum(sum(level.values()) for level in self.levels[-1])
-
-    def score_sums(self) -> list[float]:
-        """Per plan the sum of the scores of its explanations."""
-        sums = []
-        for plan, level in zip(self.plans, self.levels[-1]):
-            leaves = len(plan.leaves)
-            total = sum(count * numerator(leaves, self.explained, last) for (last, _), count in level.items())
-            sums.append(total / (leaves * leaves))
-        return sums
-
-    def stream(self) -> Iterator[tuple[Group, Path]]:
-        """Every explanation, best first, lazily: by score, then plan, then marked leaves."""
-        for group in self.groups():
-            for path in self._paths(group.plan, group.last):
-                yield group, path
-
-    def _paths(self, plan: int, last: int) -> Iterator[Path]:
-        """The explanations of one group in the order of their marked leaves, walked through the kept levels."""
-        levels = [level[plan] for level in self.levels]
-        if self.explained == 0:
-            yield from (((), binding) for _, binding in levels[0])
-            return
-        alive = self._reaching(plan, last)
-
-        def walk(k: int, state: State, marks: tuple[int, ...]) -> Iterator[Path]:
-            if k == self.explained:
-                yield marks, state[1]
-                return
-            for following in sorted(self._successors(plan, k, state) & alive[k + 1].keys(), key=lambda s: s[0]):
-                yield from walk(k + 1, following, (*marks, following[0]))
-
-        for state in alive[0]:
-            yield from walk(0, state, ())
-
-    def _reaching(self, plan: int, last: int) -> list[dict[State, None]]:
-        """Per level the states from which some explanation of the group can be completed."""
-        final = [state for state in self.levels[-1][plan] if state[0] == last]
-        alive = [dict.fromkeys(final)]
-        for k in range(self.explained - 1, -1, -1):
-            following = alive[0].keys()
-            alive.insert(0, {s: None for s in self.levels[k][plan] if self._successors(plan, k, s) & following})
-        return alive
-
-    def _successors(self, plan: int, k: int, state: State) -> set[State]:
-        """The states of level k + 1 that follow from a state of level k."""
-        last, binding = state
-        edges = self._edges[k][plan].items()
-        return {(leaf, after) for (leaf, before), after in edges if leaf > last and before == binding}
-
-
-def _positions(plan: Plan) -> dict[str, list[int]]:
-    """The leaves of each action name, from left to right."""
-    positions: dict[str, list[int]] = {}
-    for at, leaf in enumerate(plan.leaves):
-        positions.setdefault(leaf.functor, []).append(at)
-    return positions
-
-
-def posterior_by(labels: Iterable[str], sums: Sequence[float]) -> dict[str, float]:
-    """Each label's share of the sum of scores; all zero when nothing explains the observations."""
-    totals: dict[str, float] = {}
-    for label, part in zip(labels, sums):
-        totals[label] = totals.get(label, 0.0) + part
-    whole = sum(totals.values())
-    return {label: total / whole if whole else 0.0 for label, total in totals.items()}
+    def _matched(self, plan: int, level: Level, options: Iterable[tuple[object, float]]) -> Edges:
+        """What the observation can be, by what was known before."""
+        opened: dict[Binding, int] = {}
+        for closed, *_, binding in sorted(level):
+            opened[binding] = opened.get(binding, 0) | ~closed
+        edges: Edges = {}
+        for observation, likelihood in options:
+            for leaf in self._positions[plan].get(observation.action, ()):  # type: ignore[attr-defined]
+                for binding, mask in opened.items():
+                    if not mask >> leaf & 1:
+                        continue
+                    after = self.matcher.match(plan, leaf, observation, binding)  # type: ignore[arg-type]
+                    if isinstance(after, Mismatch):
+                        self._note(plan, after)
+                    else:
+                        edges.setdefault(binding, []).append((leaf, after, likelihood))
+        return edges

@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from casper.engine.explanation import Explanation
@@ -27,7 +27,7 @@ from casper.kb.base import KnowledgeBase
 from casper.kb.clauses import Clause, Production, Sentence
 from casper.kb.errors import DomainError, PlanError
 from casper.kb.program import undefined_sentence
-from casper.kb.sources import Sources
+from casper.kb.sources import Sources, fingerprint
 from casper.kb.terms import Compound, substitute
 from casper.plans.library import GOAL, PlanLibrary
 from casper.plans.relations import RELATIONS, plan_clauses
@@ -42,7 +42,8 @@ class Domain:
     """What is known of one place: relations, plans, and the settings of every stage as facts among the relations.
 
     ``verifies`` is False for a folder without ``ontology.pl``: such a domain verifies nothing and only explains.
-    ``files`` are all the files it was read from, those that others include or use among them.
+    ``files`` are all the files it was read from, those that others include or use among them, and ``fingerprint`` tells
+    whether they have changed (`engine.reload`).
     """
 
     name: str
@@ -51,6 +52,7 @@ class Domain:
     library: PlanLibrary
     verifies: bool
     files: tuple[Path, ...] = ()
+    fingerprint: str = ""
 
     @classmethod
     def load(cls, name: str | Path) -> Domain:
@@ -61,9 +63,10 @@ class Domain:
             ReadError, ProgramError, PlanError: a mistake in its text, with file and line.
         """
         folder = find_domain(name)
-        sources = Sources((SHIPPED,))
-        sentences = {file: sources.sentences(folder / file) for file in FILES if (folder / file).is_file()}
-        return build(folder.name, folder, sentences, tuple(dict.fromkeys(sources.files)))
+        sources, possible = Sources((SHIPPED,)), [folder / file for file in FILES]
+        sentences = {file.name: sources.sentences(file) for file in possible if file.is_file()}
+        files = tuple(dict.fromkeys(sources.files))
+        return replace(build(folder.name, folder, sentences), files=files, fingerprint=fingerprint([*possible, *files]))
 
     @property
     def partner(self) -> str:
@@ -140,9 +143,7 @@ def find_domain(name: str | Path) -> Path:
     return folder.resolve()
 
 
-def build(
-    name: str, folder: Path, sentences: dict[str, list[Sentence]], files: tuple[Path, ...] = ()
-) -> Domain:
+def build(name: str, folder: Path, sentences: dict[str, list[Sentence]]) -> Domain:
     """A domain from sentences by file name.
 
     Raises:
@@ -162,7 +163,7 @@ def build(
     kb.compile()
     if verifies:
         _check_actions(library, kb)
-    return Domain(name, folder, kb, library, verifies, files)
+    return Domain(name, folder, kb, library, verifies)
 
 
 def _knowledge(sentences: Iterable[Sentence], verifies: bool) -> Iterable[Sentence]:

@@ -42,6 +42,7 @@ class Mind:
     ) -> None:
         rows = domain.kb.rows
         self.domain = domain
+        self.verification, self.policy, self.helps = verification, policy, helps
         self.tracker = Tracker(tracker_settings(rows))
         self.perception = Perception(perception_settings(rows), domain.partner)
         self.focus = FocusEstimator(focus_settings(rows))

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import math
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
-from casper.kb.errors import PlanError
+from casper.kb.errors import CasperError, PlanError
 from casper.kb.reader import read_statement
 from casper.kb.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.writer import term_text
@@ -32,10 +33,57 @@ class Observation:
         return self.action if self.args is None else term_text(as_term(Compound((self.action, *self.args))))
 
 
-Observed: TypeAlias = "str | Compound | tuple[Term, ...] | Observation"
+@dataclass(frozen=True, slots=True)
+class Uncertain:
+    """An action that was not made out for sure: what it may have been, with the likelihood of each.
+
+    Each explanation is weighed by the likelihood of what it takes the action for.
+    """
+
+    options: tuple[tuple[Observation, float], ...]
+
+    @property
+    def action(self) -> str:
+        """The likeliest action's name."""
+        return max(self.options, key=lambda option: option[1])[0].action
+
+    def __str__(self) -> str:
+        return " | ".join(f"{observation}: {likelihood:g}" for observation, likelihood in self.options)
 
 
-def observation_of(observed: Observed, actions: Iterable[tuple[str, int]]) -> Observation:
+Seen: TypeAlias = Observation | Uncertain
+Observed: TypeAlias = "str | Compound | tuple[Term, ...] | Observation | Uncertain | Mapping[Any, float]"
+
+
+def options_of(seen: Seen) -> tuple[tuple[Observation, float], ...]:
+    """What was seen as observations with their likelihoods; a plain one is certain."""
+    return seen.options if isinstance(seen, Uncertain) else ((seen, 1.0),)
+
+
+def seen_of(observed: Observed, actions: Iterable[tuple[str, int]]) -> Seen:
+    """An observation, or an uncertain one of a mapping ``{"eat": 0.7, "sip": 0.2}``.
+
+    Raises:
+        ReadError, PlanError: as `observation_of`.
+        CasperError: a likelihood is not above 0, or they sum to more than 1.
+    """
+    if isinstance(observed, Uncertain):
+        observed = dict(observed.options)
+    if not isinstance(observed, Mapping):
+        return observation_of(observed, actions)
+    likelihoods: dict[Observation, float] = {}
+    for option, likelihood in observed.items():
+        if isinstance(likelihood, bool) or not isinstance(likelihood, (int, float)) or not 0 < likelihood < math.inf:
+            raise CasperError(f"the likelihood of {option} is {likelihood!r}: it must be a number above 0")
+        seen = observation_of(option, actions)
+        likelihoods[seen] = likelihoods.get(seen, 0.0) + likelihood
+    total = math.fsum(likelihoods.values())
+    if not 0 < total <= 1 + 1e-9:
+        raise CasperError(f"the likelihoods of an uncertain action sum to {total:g}: at most 1, and at least one of them")
+    return Uncertain(tuple(likelihoods.items()))
+
+
+def observation_of(observed: str | Compound | tuple[Term, ...] | Observation, actions: Iterable[tuple[str, int]]) -> Observation:
     """Make an observation of text (``eat`` or ``eat(biscuits, plate)``), a term, or an observation.
 
     Args:

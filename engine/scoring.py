@@ -1,19 +1,51 @@
-"""The score of an explanation (paper equation "score"), over terminal nodes.
+"""Scores of an explanation, as exact fractions: the paper's, and others that weigh the same counts differently.
 
-    s = (observed / leaves) * (1 - missed / leaves)
+A score is a function of (leaves of the plan, observed leaves, missed leaves) and gives numerator and denominator. From
+integers by one division it is correctly rounded: equal scores are equal floats, so ties are exact. An optional part
+that nothing was observed of is no part of the plan: its leaves are neither counted nor missed.
 
-With last marked leaf j (from 0) of n and k observations, missed = j + 1 - k, so s = k (n - j - 1 + k) / n^2. Computed
-from integers by one division it is correctly rounded: equal scores are equal floats, so ties are exact.
+The table `SCORES` is the registry.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TypeAlias
 
-def numerator(leaves: int, observed: int, last: int) -> int:
-    """k (n - j - 1 + k): the score times n^2."""
-    return observed * (leaves - last - 1 + observed)
+from casper.kb.errors import CasperError
+
+Score: TypeAlias = Callable[[int, int, int], tuple[int, int]]
 
 
-def score(leaves: int, observed: int, last: int) -> float:
-    """The score of an explanation with ``observed`` marked leaves, the last of them leaf number ``last``."""
-    return numerator(leaves, observed, last) / (leaves * leaves)
+def paper(leaves: int, observed: int, missed: int) -> tuple[int, int]:
+    """(observed / leaves) * (1 - missed / leaves), over terminal nodes (paper equation "score")."""
+    return observed * (leaves - missed), leaves * leaves
+
+
+def coverage(leaves: int, observed: int, missed: int) -> tuple[int, int]:
+    """The share of the plan's leaves that was observed: misses cost nothing."""
+    return observed, leaves
+
+
+def diligence(leaves: int, observed: int, missed: int) -> tuple[int, int]:
+    """The share of what should have been done by now that was observed: long plans do not suffer for what is to come."""
+    return observed, observed + missed
+
+
+def uniform(leaves: int, observed: int, missed: int) -> tuple[int, int]:
+    """Every explanation counts alike."""
+    return 1, 1
+
+
+SCORES: dict[str, Score] = {"paper": paper, "coverage": coverage, "diligence": diligence, "uniform": uniform}
+
+
+def score_named(name: str) -> Score:
+    """The score of that name.
+
+    Raises:
+        CasperError: there is none; the sentence lists those there are.
+    """
+    if name not in SCORES:
+        raise CasperError(f"there is no score {name!r}; choose {', '.join(SCORES)}")
+    return SCORES[name]

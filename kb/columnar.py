@@ -34,7 +34,7 @@ def is_columnar(rules: Iterable[Clause]) -> bool:
 
 def _repeats_wildcard(literal: Literal) -> bool:
     """``\\+ p(_X, _X)`` asks for equal columns, which an index of bound columns cannot tell."""
-    variables = [arg for arg in literal.atom.args if isinstance(arg, Variable)]
+    variables = [arg for arg in literal.atom.args if isinstance(arg, Variable) and arg.is_anonymous]
     return literal.negated and len(set(variables)) < len(variables)
 
 

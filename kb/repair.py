@@ -87,7 +87,8 @@ def _provable(base: KnowledgeBase, refusal: Refusal) -> Iterator[Repair]:
 
 
 def _all_of(base: KnowledgeBase, failed: Iterable[Literal], depth: int) -> Iterator[Repair]:
-    ways = [list(_mend(base, literal, depth)) for literal in failed]
+    """Ways to make all of an attempt's failing conditions hold; none where they are not known."""
+    ways = [list(_mend(base, literal, depth)) for literal in failed] or [[]]
     return (_joined(choice) for choice in product(*ways))
 
 

@@ -7,7 +7,8 @@ names are relative to the file that has the line.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import hashlib
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NoReturn
@@ -115,6 +116,18 @@ class Sources:
             names = [path.name for path in self._open[known.index(file.resolve()) :]]
             circle = " needs ".join([*names, file.name])
             raise ProgramError(f"this file contains itself ({circle}); take the line out", directive.place)
+
+
+def fingerprint(files: Iterable[Path]) -> str:
+    """A text that is another one as soon as a file has changed, has gone, or has come."""
+    told = hashlib.sha256()
+    for file in sorted(set(files)):
+        try:
+            content = hashlib.sha256(file.read_bytes()).hexdigest()
+        except OSError:
+            content = "nothing"
+        told.update(f"{file}\n{content}\n".encode())
+    return told.hexdigest()
 
 
 def _name(directive: Directive) -> str:

@@ -19,7 +19,10 @@ from casper.kb.writer import term_text
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """One clause that could have given the statement, and its conditions that fail (instantiated, author's order)."""
+    """One clause that could have given the statement, and its conditions that fail (instantiated, author's order).
+
+    Without any, the search for them stopped at its budget.
+    """
 
     clause: Clause
     failed: tuple[Literal, ...]
@@ -48,11 +51,13 @@ class Refusal:
     def reasons(self) -> tuple[str, ...]:
         """The sentences: failed conditions of the nearest clauses first, then broken constraints."""
         sentences = [self.undefined] if self.undefined else []
-        fewest = min((len(a.failed) for a in self.attempts), default=0)
+        fewest = min((len(a.failed) for a in self.attempts if a.failed), default=0)
         for attempt in self.attempts:
             if len(attempt.failed) == fewest:
                 sentences.extend(failure_sentence(literal) for literal in attempt.failed)
         sentences.extend(v.sentence for v in self.violations)
+        if not sentences and self.attempts:
+            sentences.append("the search for a reason stopped at its budget: which condition fails is unknown")
         if not sentences:
             sentences.append(f"no fact or rule gives {term_text(as_term(self.statement))}")
         return tuple(dict.fromkeys(sentences))
@@ -64,18 +69,23 @@ class Refusal:
 def attempts(statement: Compound, clauses: Sequence[Clause], solver: Solver) -> Iterator[Attempt]:
     """For every rule whose head the statement can be, its nearest attempt; nothing for a statement that holds.
 
-    A clause whose search outlives the solver's budget is left out: its failing conditions are unknown.
+    Where the nearest is too far to search for, the first condition that fails stands for it.
     """
     for clause in clauses:
         head, body = solver.fresh(clause)
         bindings = unify(head, statement, {})
         if bindings is None or not body:
             continue
-        try:
-            failed = nearest(body, bindings, replace(solver, steps=0, floundering_fails=True))
-        except (BudgetExceeded, RecursionError):
-            continue
-        yield Attempt(clause, failed)
+        for search, share in ((nearest, 10), (first_failing, 1)):
+            limited = replace(solver, steps=0, budget=solver.budget // share, floundering_fails=True)
+            try:
+                failed = search(body, bindings, limited)
+            except (BudgetExceeded, RecursionError):
+                continue
+            yield Attempt(clause, failed)
+            break
+        else:
+            yield Attempt(clause, ())
 
 
 def nearest(body: Sequence[Literal], bindings: Bindings, solver: Solver) -> tuple[Literal, ...]:
@@ -87,6 +97,19 @@ def nearest(body: Sequence[Literal], bindings: Bindings, solver: Solver) -> tupl
             kept = [literal for literal in body if any(literal is x for x in given_up)]
             failed = [x for x in kept if _fails(x, solution, solver)]
             return tuple(Literal(substitute(x.atom, solution), x.negated, x.place) for x in failed or kept)
+    return tuple(body)
+
+
+def first_failing(body: Sequence[Literal], bindings: Bindings, solver: Solver) -> tuple[Literal, ...]:
+    """The first condition, in the author's order, that fails however those before it are satisfied, instantiated."""
+    held: list[Literal] = []
+    for literal in body:
+        if next(solver.solve([*held, literal], bindings), None) is not None:
+            held.append(literal)
+            continue
+        before = next(solver.solve(held, bindings))
+        if _fails(literal, before, solver):
+            return (Literal(substitute(literal.atom, before), literal.negated, literal.place),)
     return tuple(body)
 
 

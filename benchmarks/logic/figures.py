@@ -47,24 +47,25 @@ class Sizes:
     cycle: int = 500
     ontology: float = 1.0
     updates: int = 200
-    repeats: int = 3
+    repeats: int = 3  # of a run of milliseconds and more
+    loops: int = 7  # of as many calls of microseconds as fit into so many seconds:
     loop_seconds: float = 0.05
     patience: float = 0.1  # a peer slower than this at one number of rows is not asked at ten times as many
     limit: float = 60.0  # seconds for one peer's process
 
 
 FULL = Sizes()
-TINY = Sizes((30, 60), (12, 20), 10, 8, 0.01, 4, 1, 0.0005, 0.1, 30.0)
+TINY = Sizes((30,), (12, 20), 10, 8, 0.01, updates=4, repeats=1, loops=1, loop_seconds=0.0005, limit=30.0)
 
 
-def per_call(function: Callable[..., Any], *args: Any, seconds: float, runs: int = 7) -> float:
-    """Median seconds of one call, over runs of as many calls as fit into the given seconds."""
+def per_call(function: Callable[..., Any], *args: Any, sizes: Sizes) -> float:
+    """Median seconds of one call, over runs of as many calls as fit into a loop's seconds."""
     function(*args)
     began = time.perf_counter()
     function(*args)
     once = time.perf_counter() - began
-    number = max(1, int(seconds / max(once, 1e-8)))
-    runs = runs if once < 0.1 else min(runs, 3)
+    number = max(1, int(sizes.loop_seconds / max(once, 1e-8)))
+    runs = sizes.loops if once < 0.1 else min(sizes.loops, 3)
     times = []
     for _ in range(runs):
         gc.collect()

@@ -23,10 +23,10 @@ calls(S, G, N, Runs, Middle) :-
     length(Times, Runs), maplist(run(S, G, N), Times), msort(Times, Sorted), M is Runs // 2, nth0(M, Sorted, Middle).
 run(_, G, N, S) :- garbage_collect, call_time(loop(G, N), D), S is D.wall / N.
 main(Seconds, Runs) :-
-    once(calls(Seconds, 0, 300000, Runs, Empty)),
-    forall(between(1, {last}, G), timed(G, Seconds, Runs, Empty)).
-timed(G, Seconds, Runs, Empty) :-
-    loop(G, 1), call_time(loop(G, 1), D), N is max(1, min(300000, truncate(Seconds / max(D.wall, 1.0e-7)))),
+    Most is max(1000, truncate(Seconds * 6.0e6)), calls(Seconds, 0, Most, Runs, Empty),
+    forall(between(1, {last}, G), timed(G, Seconds, Most, Runs, Empty)).
+timed(G, Seconds, Most, Runs, Empty) :-
+    loop(G, 1), call_time(loop(G, 1), D), N is max(1, min(Most, truncate(Seconds / max(D.wall, 1.0e-7)))),
     calls(Seconds, G, N, Runs, S), Net is S - Empty, aggregate_all(count, goal(G), Count), format("~15f ~d~n", [Net, Count]).
 """
 
@@ -72,7 +72,7 @@ def _open(name: str, arity: int) -> str:
     return f"{name}({', '.join('_' * arity)})"
 
 
-def calls(text: str, goals: Mapping[str, str], sizes: Sizes, runs: int = 5) -> dict[str, tuple[float, int]]:
+def calls(text: str, goals: Mapping[str, str], sizes: Sizes) -> dict[str, tuple[float, int]]:
     """For each named goal the seconds of finding all its answers once, and how many there are.
 
     Goals are compiled, as clauses; the empty loop's time is subtracted. The rules run as they are and under ``-O``,
@@ -85,7 +85,7 @@ def calls(text: str, goals: Mapping[str, str], sizes: Sizes, runs: int = 5) -> d
     best: dict[str, tuple[float, int]] = {}
     for options in ((), ("-O",)):
         with tempfile.TemporaryDirectory() as folder:
-            lines = _run(source, f"main({sizes.loop_seconds}, {runs})", folder, sizes.limit, options)
+            lines = _run(source, f"main({sizes.loop_seconds}, {sizes.loops})", folder, sizes.limit, options)
         for name, line in zip(goals, lines or ()):
             seconds, count = float(line.split()[0]), int(line.split()[1])
             best[name] = min(best.get(name, (seconds, count)), (seconds, count))

@@ -56,28 +56,27 @@ def plain_eat(kb: KnowledgeBase) -> Callable[[Any, Any, Any], Any]:
 def measure(sizes: Sizes) -> Iterator[Figure | Skipped]:
     """Ground queries, modes, valid(S)."""
     kb = kitchen()
-    loop = sizes.loop_seconds
-    yield Figure(CONTROL, KANREN, per_call(lambda: run(1, True, eq(1, 1)), seconds=loop))
-    yield from _ground(kb, loop)
-    yield from _lookup(kb, loop)
-    yield from _every(kb, loop)
-    yield from _modes(kb, loop)
+    yield Figure(CONTROL, KANREN, per_call(lambda: run(1, True, eq(1, 1)), sizes=sizes))
+    yield from _ground(kb, sizes)
+    yield from _lookup(kb, sizes)
+    yield from _every(kb, sizes)
+    yield from _modes(kb, sizes)
     found = {x["S"] for x in kb.query(VALID)}
-    yield Figure(VALID, QUERY, per_call(lambda: list(kb.query(VALID)), seconds=loop), len(found))
+    yield Figure(VALID, QUERY, per_call(lambda: list(kb.query(VALID)), sizes=sizes), len(found))
     yield from _prolog(kb, sizes)
 
 
-def _ground(kb: KnowledgeBase, loop: float) -> Iterator[Figure]:
+def _ground(kb: KnowledgeBase, sizes: Sizes) -> Iterator[Figure]:
     eat, plain = kb.eat, plain_eat(kb)
     for task, args in GROUND.items():
         statement = ("eat", *args)
-        yield Figure(task, OURS, per_call(kb.ask, statement, seconds=loop), int(kb.ask(statement)))
+        yield Figure(task, OURS, per_call(kb.ask, statement, sizes=sizes), int(kb.ask(statement)))
         for engine, goal in ((GOAL, eat), (KANREN, plain)):
             answers = len(run(0, True, goal(*args)))
-            yield Figure(task, engine, per_call(lambda g=goal, a=args: run(1, True, g(*a)), seconds=loop), answers)
+            yield Figure(task, engine, per_call(lambda g=goal, a=args: run(1, True, g(*a)), sizes=sizes), answers)
 
 
-def _every(kb: KnowledgeBase, loop: float) -> Iterator[Figure]:
+def _every(kb: KnowledgeBase, sizes: Sizes) -> Iterator[Figure]:
     """All statements about eat that can be made of agents and objects, one after the other."""
     agents, objects = [x for (x,) in kb.rows("agent", 1)], [x for (x,) in kb.rows("object", 1)]
     statements = [("eat", *args) for args in product(agents, objects, objects)]
@@ -88,11 +87,11 @@ def _every(kb: KnowledgeBase, loop: float) -> Iterator[Figure]:
         KANREN: lambda s: run(1, True, plain(*s[1:])),
     }
     for engine, way in ways.items():
-        seconds = per_call(lambda way=way: [way(s) for s in statements], seconds=loop)
+        seconds = per_call(lambda way=way: [way(s) for s in statements], sizes=sizes)
         yield Figure(EVERY, engine, seconds / len(statements), sum(bool(way(s)) for s in statements))
 
 
-def _modes(kb: KnowledgeBase, loop: float) -> Iterator[Figure]:
+def _modes(kb: KnowledgeBase, sizes: Sizes) -> Iterator[Figure]:
     plain = plain_eat(kb)
     for task, args in modes().items():
         variables = {text: var(text) for text in args if text.isupper()}
@@ -100,9 +99,9 @@ def _modes(kb: KnowledgeBase, loop: float) -> Iterator[Figure]:
         wanted = tuple(variables.values()) or True
         text = f"eat({', '.join(args)})"
         for engine, goal in ((GOAL, kb.eat), (KANREN, plain)):
-            seconds = per_call(lambda g=goal, t=terms, w=wanted: run(0, w, g(*t)), seconds=loop)
+            seconds = per_call(lambda g=goal, t=terms, w=wanted: run(0, w, g(*t)), sizes=sizes)
             yield Figure(task, engine, seconds, len(set(run(0, wanted, goal(*terms)))))
-        seconds = per_call(lambda text=text: list(kb.query(text)), seconds=loop)
+        seconds = per_call(lambda text=text: list(kb.query(text)), sizes=sizes)
         yield Figure(task, QUERY, seconds, len(list(kb.query(text))))
 
 
@@ -116,7 +115,7 @@ def modes() -> dict[str, tuple[str, str, str]]:
     return found
 
 
-def _lookup(kb: KnowledgeBase, loop: float) -> Iterator[Figure | Skipped]:
+def _lookup(kb: KnowledgeBase, sizes: Sizes) -> Iterator[Figure | Skipped]:
     if importlib.util.find_spec("clingo") is None:
         yield Skipped(next(iter(GROUND)), "clingo", "the Python package clingo is not installed")
         return
@@ -129,7 +128,7 @@ def _lookup(kb: KnowledgeBase, loop: float) -> Iterator[Figure | Skipped]:
     atoms = control.symbolic_atoms
     for task, args in GROUND.items():
         symbol = Function("eat", [Function(arg) for arg in args])
-        yield Figure(task, "clingo", per_call(atoms.__getitem__, symbol, seconds=loop), int(atoms[symbol] is not None))
+        yield Figure(task, "clingo", per_call(atoms.__getitem__, symbol, sizes=sizes), int(atoms[symbol] is not None))
 
 
 def _prolog(kb: KnowledgeBase, sizes: Sizes) -> Iterator[Figure | Skipped]:

@@ -34,7 +34,7 @@ def measure(sizes: Sizes) -> Iterator[Figure]:
     small = kitchen()
     for task, (method, statement) in KITCHEN.items():
         reason = getattr(small, method)
-        yield Figure(task, OURS, per_call(reason, statement, seconds=sizes.loop_seconds), bool(reason(statement)))
+        yield Figure(task, OURS, per_call(reason, statement, sizes=sizes), bool(reason(statement)))
     program = as_facts(generated(sizes.ontology))
     kb = loaded(program)
     compiled(kb, program)

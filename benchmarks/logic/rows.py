@@ -79,7 +79,7 @@ def measure(sizes: Sizes) -> Iterator[Figure | Skipped]:
 
 def _ours(label: str, kb: KnowledgeBase, text: str, sizes: Sizes) -> Iterator[Figure]:
     yield _goal_figure(label, GOAL, kb.predicate, text, sizes)
-    seconds = per_call(lambda: list(kb.query(text)), seconds=sizes.loop_seconds)
+    seconds = per_call(lambda: list(kb.query(text)), sizes=sizes)
     yield Figure(label, QUERY, seconds, len(list(kb.query(text))))
 
 
@@ -93,7 +93,7 @@ def _goal_figure(label: str, engine: str, relation: Callable[[str], Any], text: 
     def found() -> Any:
         return run(0, wanted, lall(*(relation(name)(*args) for name, args in atoms)))
 
-    return Figure(label, engine, per_call(found, seconds=sizes.loop_seconds), len(set(found())))
+    return Figure(label, engine, per_call(found, sizes=sizes), len(set(found())))
 
 
 def _parts(atom: str) -> tuple[str, list[Any]]:

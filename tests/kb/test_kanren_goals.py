@@ -98,7 +98,7 @@ def test_a_reified_compound_is_one_and_prints_in_the_language():
     x = var()
     answers = run(0, x, shapes().p(x))
     assert all(isinstance(answer, Compound) for answer in answers)
-    assert [str(answer) for answer in answers] == ["f(a, b)", "f(c, c)", "g(a)"]
+    assert {str(answer) for answer in answers} == {"f(a, b)", "f(c, c)", "g(a)"}
 
 
 def test_a_compound_built_around_an_answer_reifies_as_one():

@@ -201,6 +201,20 @@ def test_a_condition_is_blamed_under_the_bindings_that_come_nearest():
     assert base.why_not("ok").reasons == ("jar is not hot",)
 
 
+def test_where_the_nearest_is_too_far_the_first_failing_condition_is_named():
+    pairs = "".join(f"e({n},{n + 1}). " for n in range(400))
+    base = KnowledgeBase.from_text(f"{pairs} :- dynamic(z/1). p(W) :- e(_, _), e(_, _), z(W), e(_, _).")
+    assert base.why_not("p(b)").reasons == ("b is not a z",)
+
+
+def test_a_reason_that_is_not_found_within_the_budget_is_unknown_never_made_up():
+    pairs = "".join(f"e({n},{n + 1}). " for n in range(600))
+    base = KnowledgeBase.from_text(f"{pairs} :- dynamic(z/1). p(W) :- e(_, _), e(_, _), z(W).")
+    assert base.why_not("p(b)", ()).reasons == (
+        "the search for a reason stopped at its budget: which condition fails is unknown",
+    )
+
+
 @pytest.mark.parametrize(
     ("condition", "sentence"),
     [

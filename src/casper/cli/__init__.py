@@ -1,4 +1,4 @@
-"""The command line. Every command takes ``--json``: one JSON object a line, nothing else on standard output.
+"""The command line. Every command but ``repl`` takes ``--json``: one JSON object a line, nothing else on standard output.
 
 Exit codes: 0 done, 1 some statement is not valid (verify) or the domain has errors (check), 2 a mistake, told in one
 sentence on standard error.
@@ -13,6 +13,7 @@ import typer
 from casper.cli.check import check
 from casper.cli.explain import explain
 from casper.cli.query import query
+from casper.cli.repl import repl
 from casper.cli.run import run
 from casper.cli.train import train
 from casper.cli.verify import verify
@@ -26,7 +27,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-for command in (run, explain, verify, query, watch, check, train):
+for command in (run, explain, verify, query, repl, watch, check, train):
     app.command()(command)
 
 

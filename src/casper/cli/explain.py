@@ -30,10 +30,11 @@ def explain(
         if as_json:
             print_json(reading.to_json(top))
         else:
-            _show(reading, top)
+            show(reading, top)
 
 
-def _show(reading: Reading, top: int) -> None:
+def show(reading: Reading, top: int) -> None:
+    """Print a reading for a person: shares as bars, the best explanations as marked trees."""
     from rich.markup import escape
 
     from casper.cli.output import bar, console

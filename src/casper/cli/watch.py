@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
+
+import typer
 
 from casper.cli.options import AsJson, DomainName, PolicyName, Unverified
 
@@ -17,6 +19,7 @@ def watch(
     domain: DomainName,
     no_verification: Unverified = False,
     policy: PolicyName = "strict",
+    reload: Annotated[bool, typer.Option("--reload", help="Read the domain anew when its files change.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Watch a partner through world states on standard input; a bad line is reported and left out."""
@@ -28,29 +31,35 @@ def watch(
     loaded = Domain.load(domain)
     mind = Mind(loaded, verification=not no_verification, policy=policy)
     timeline = Timeline(console(), loaded.partner, loaded.robot)
-    for event in watched(mind, sys.stdin):
+    for event in watched(mind, sys.stdin, reload):
         if as_json:
             print_json(event.to_json())
         else:
             timeline.show(event)
 
 
-def watched(mind: Mind, lines: Iterable[str]) -> Iterator[Event]:
-    """The mind's events for JSON lines of world states; a line that cannot be used becomes a ``warning``."""
+def watched(mind: Mind, lines: Iterable[str], reload: bool = False) -> Iterator[Event]:
+    """The mind's events for JSON lines of world states; a line that cannot be used becomes a ``warning``.
+
+    With ``reload`` changes in the domain's files are taken in between two lines, and told as warnings, too.
+    """
     from casper.engine.events import Event
+    from casper.engine.reload import Live
     from casper.engine.world import world_state_from_json
     from casper.kb.errors import WorldStateError
 
-    now = 0.0
+    now, live = 0.0, Live(mind)
     for number, line in enumerate(lines, 1):
         if not line.strip():
             continue
+        for message in live.refresh() if reload else ():
+            yield Event("warning", now, {"message": message})
         try:
             world = world_state_from_json(line)
-            events = mind.update(world)
+            events = live.mind.update(world)
             now = world.t
         except WorldStateError as mistake:
             yield Event("warning", now, {"message": f"line {number} is left out: {mistake.sentence}"})
             continue
         yield from events
-    yield Event("summary", now, mind.summary())
+    yield Event("summary", now, live.mind.summary())

@@ -1,0 +1,146 @@
+"""Charts: what a plan's shapes mean for its leaves, as bit masks (bit j = leaf j, in the order of ``plan.leaves``).
+
+Observing a leaf *closes* it and every leaf that the plan puts before it. A chart keeps, for every leaf, what comes
+before it; and for every optional part, its leaves: they belong to the plan once one of them was observed, and not
+before. A plan without shapes has one chart to each length: leaf j comes after 0 … j-1, and all leaves belong to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from casper.plans.plan import Action, Node, Plan, Shape, is_plain
+
+Progress: TypeAlias = tuple[int, int, int, int]
+"""Mask of the closed leaves, mask of the open optional parts that were entered, leaves of the plan, missed ones."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """An optional part: all its leaves, and those that belong to the plan once it is entered (not to a part in it)."""
+
+    leaves: int
+    own: int
+
+
+@dataclass(frozen=True)
+class Chart:
+    """The order and the optional parts of a plan's leaves.
+
+    ``before[j]`` are the leaves that come before leaf j, ``parts`` the optional parts, ``inside[j]`` (a mask over
+    parts) those that leaf j stands in, ``mandatory`` the leaves that stand in none.
+    """
+
+    leaves: int
+    before: tuple[int, ...]
+    parts: tuple[Part, ...]
+    inside: tuple[int, ...]
+    mandatory: int
+    _belongs: dict[int, int] = field(default_factory=dict, compare=False)
+    _closings: dict[tuple[int, int, int], Progress] = field(default_factory=dict, compare=False)
+
+    @property
+    def start(self) -> Progress:
+        """Nothing closed, nothing entered, only the mandatory leaves belong to the plan."""
+        return (0, 0, self.mandatory.bit_count(), 0)
+
+    def close(self, progress: Progress, leaf: int) -> Progress:
+        """The progress after an open leaf was observed."""
+        closed, entered, size, missed = progress
+        key = (closed, entered, leaf)
+        change = self._closings.get(key)
+        if change is None:
+            change = self._closings[key] = self._closing(closed, entered, leaf)
+        return (change[0], change[1], size + change[2], missed + change[3])
+
+    def _closing(self, closed: int, entered: int, leaf: int) -> Progress:
+        """New masks, and how many leaves join the plan and are missed by it."""
+        newly = (self.before[leaf] | 1 << leaf) & ~closed
+        joined = self.inside[leaf] & ~entered
+        entered |= joined
+        belongs = self.belonging(entered)
+        larger = sum(part.own.bit_count() for at, part in enumerate(self.parts) if joined >> at & 1)
+        closed |= newly
+        still_open = sum(1 << at for at, part in enumerate(self.parts) if entered >> at & 1 and part.leaves & ~closed)
+        return (closed, still_open, larger, (newly & belongs).bit_count() - 1)
+
+    def belonging(self, entered: int) -> int:
+        """The leaves of the plan when these optional parts were entered."""
+        mask = self._belongs.get(entered)
+        if mask is None:
+            mask = self.mandatory
+            for at, part in enumerate(self.parts):
+                if entered >> at & 1:
+                    mask |= part.own
+            self._belongs[entered] = mask
+        return mask
+
+
+_CHAINS: dict[int, Chart] = {}
+
+
+def chart_of(plan: Plan) -> Chart:
+    """The chart of a plan; plans without shapes share one for each length."""
+    leaves = len(plan.leaves)
+    if not is_plain(plan):
+        return _drawn(plan, leaves)
+    if leaves not in _CHAINS:
+        everything = (1 << leaves) - 1
+        _CHAINS[leaves] = Chart(leaves, tuple((1 << j) - 1 for j in range(leaves)), (), (0,) * leaves, everything)
+    return _CHAINS[leaves]
+
+
+def _drawn(plan: Plan, leaves: int) -> Chart:
+    before, inside = [0] * leaves, [0] * leaves
+    spans: list[int] = []  # the leaves of every optional part
+    count = 0
+
+    def add(node: Node, earlier: int, within: int) -> int:
+        """Number the node's leaves; the mask of them."""
+        nonlocal count
+        if isinstance(node, Action):
+            before[count], inside[count] = earlier, within
+            count += 1
+            return 1 << count - 1
+        number = -1
+        if isinstance(node, Shape) and node.kind == "optional":
+            number = len(spans)
+            spans.append(0)
+            within |= 1 << number
+        masks: list[int] = []
+        needs = _needs(node)
+        for at, child in enumerate(node.children):
+            masks.append(add(child, earlier | _union(masks[i] for i in needs[at]), within))
+        mask = _union(masks)
+        if number >= 0:
+            spans[number] = mask
+        return mask
+
+    add(plan.root, 0, 0)
+    innermost = [within.bit_length() - 1 for within in inside]  # parts are numbered from the outside in
+    parts = tuple(
+        Part(span, _union(1 << j for j in range(leaves) if innermost[j] == number))
+        for number, span in enumerate(spans)
+    )
+    mandatory = _union(1 << j for j in range(leaves) if inside[j] == 0)
+    return Chart(leaves, tuple(before), parts, tuple(inside), mandatory)
+
+
+def _needs(node: Node) -> list[set[int]]:
+    """Per child the children that come before it (an action has none)."""
+    children = () if isinstance(node, Action) else node.children
+    if not isinstance(node, Shape) or node.kind in ("sequence", "optional"):
+        return [set(range(at)) for at in range(len(children))]
+    needs: list[set[int]] = [set() for _ in children]
+    for first, then in sorted(node.order, key=lambda pair: pair[1]):  # children stand in an order that fits
+        needs[then] |= {first} | needs[first]
+    return needs
+
+
+def _union(masks: Iterable[int]) -> int:
+    total = 0
+    for mask in masks:
+        total |= mask
+    return total
