@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from functools import lru_cache
 from typing import TypeAlias
@@ -46,6 +46,7 @@ class KnowledgeBase:
         self._dynamic: set[Indicator] = set(dynamic)
         self._statements: dict[Indicator, None] = {}
         self._cached: Model | None = None
+        self._remembered: dict[Statement, bool] = {}  # to ground questions
 
     # --- authoring -------------------------------------------------------------------------------------------------
 
@@ -67,7 +68,7 @@ class KnowledgeBase:
         Raises:
             ProgramError: a directive nobody knows, or a production.
         """
-        self._cached = None
+        self._forget()
         for sentence in sentences:
             if isinstance(sentence, Clause):
                 self._clauses.setdefault(sentence)
@@ -122,17 +123,21 @@ class KnowledgeBase:
         Raises:
             ProgramError: nothing defines the predicate. BudgetExceeded: the answer is unknown.
         """
-        model = self._cached or self._model
-        known = model.answers.get(statement)
-        if known is not None:
-            return known
+        try:
+            return self._remembered[statement]
+        except (KeyError, TypeError):
+            return self._asked(statement)
+
+    def _asked(self, statement: Statement) -> bool:
+        """Work a question out, and remember the answer to a ground one until something changes."""
+        model = self._model
         atom = self._statement(statement)
         relation = model.relations.get(atom.indicator)
         if relation is None or not is_ground(atom):
             return next(self.instances(atom), None) is not None
         holds = atom.args in relation
-        if len(model.answers) < MOST_ANSWERS:
-            model.answers[statement] = holds
+        if len(self._remembered) < MOST_ANSWERS and isinstance(statement, Hashable):
+            self._remembered[statement] = holds
         return holds
 
     def query(
@@ -227,6 +232,10 @@ class KnowledgeBase:
         if atom.indicator not in self._model.program.clauses:
             return Refusal(atom, undefined=self._undefined(atom.indicator))
         history = self._history(history)
+        relation = self._model.relations.get(atom.indicator)
+        if relation is not None and atom.args in relation:  # a stored row: it is ground, and only constraints can object
+            violations = tuple(self._violations(atom, history))
+            return Refusal(atom, (), violations, provable=True) if violations else None
         provable = next(self.solver(history=history).solve([Literal(atom)]), None)
         if provable is None:
             tried = tuple(attempts(atom, self._model.program.clauses[atom.indicator], self.solver(history=history)))
@@ -317,9 +326,10 @@ class KnowledgeBase:
         elif self._clauses.pop(clause, _MISSING) is _MISSING and bulk.pop(atom.args, _MISSING) is _MISSING:
             return False
         if kept:
+            self._remembered.clear()
             return model.change(atom.indicator, atom.args, clause if add else None, add=add)
         self._dynamic |= {atom.indicator}
-        self._cached = None
+        self._forget()
         return True
 
     def facts(self, name: str, rows: Iterable[Row]) -> None:
@@ -336,7 +346,7 @@ class KnowledgeBase:
             raise ProgramError(f"a row of {name} has a variable; only constants can be loaded")
         if arities:
             self._bulk.setdefault((name, arities.pop()), {}).update(dict.fromkeys(loaded))
-            self._cached = None
+            self._forget()
 
     # --- the parts below -------------------------------------------------------------------------------------------
 
@@ -344,7 +354,8 @@ class KnowledgeBase:
         """A predicate by its name, to be used as a kanren goal constructor: ``kb.eat(x, "biscuits", "plate")``."""
         if name.startswith("_"):
             raise AttributeError(name)
-        return self.predicate(name)
+        found = self.__dict__[name] = self.predicate(name)  # the next look finds it without coming here
+        return found
 
     def predicate(self, name: str) -> Predicate:
         """A predicate by its name, also one that is called like a method of this class.
@@ -380,7 +391,7 @@ class KnowledgeBase:
 
     def stored(self, indicator: Indicator) -> Relation | None:
         """The relation of a predicate whose rows are all listed; None for one that is answered top-down."""
-        return self._model.relations.get(indicator)
+        return (self._cached or self._model).relations.get(indicator)
 
     def solver(self, budget: int = DEFAULT_BUDGET, history: History = _EMPTY) -> Solver:
         """A fresh search over everything that holds, after what happened earlier."""
@@ -390,6 +401,11 @@ class KnowledgeBase:
     @property
     def _computed(self) -> Mapping[Indicator, Computed]:
         return {("valid", 1): self._valid, ("never", 1): self._broken}
+
+    def _forget(self) -> None:
+        """Everything has to be worked out anew."""
+        self._cached = None
+        self._remembered.clear()
 
     @property
     def _model(self) -> Model:

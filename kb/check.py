@@ -12,7 +12,13 @@ from dataclasses import dataclass, field
 from casper.kb.base import KnowledgeBase
 from casper.kb.check_bodies import contradictions, duplicates
 from casper.kb.check_facts import broken_constraints, rules_that_give_nothing
-from casper.kb.check_names import arity_clashes, own_mistakes, single_variables, undefined_names
+from casper.kb.check_names import (
+    arity_clashes,
+    own_mistakes,
+    single_variables,
+    unbound_conditions,
+    undefined_names,
+)
 from casper.kb.check_needs import needs_graph, negative_circles, unneeded
 from casper.kb.clauses import Clause, Directive, Sentence
 from casper.kb.errors import CasperError, Place
@@ -81,6 +87,7 @@ def check_sentences(sentences: Sequence[Sentence], context: Context = _ALONE) ->
     impossible = [f for c in sound for f in contradictions(c)]
     findings.extend(impossible)
     contradictory = {c for c in sound if any(True for _ in contradictions(c))}
+    findings.extend(f for c in sound if c not in contradictory for f in unbound_conditions(c))
     kb = _sound_base(sound, known | dynamic, findings)
     open_ = _open(clauses, dynamic | {c.head.indicator for c in faulty}, context)
     findings.extend(_against_facts(kb, [c for c in sound if c not in contradictory], open_))

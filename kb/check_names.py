@@ -8,9 +8,21 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from casper.kb.clauses import Clause, Directive, Production, Sentence
 from casper.kb.errors import Place, ProgramError
 from casper.kb.finding import Finding, error, finding_of, note, warning
-from casper.kb.program import SYSTEM, Indicator, analyse, undefined_sentence
+from casper.kb.program import SYSTEM, Indicator, analyse, is_range_restricted, undefined_sentence
 from casper.kb.terms import Compound, Term, Variable
+from casper.kb.writer import literal_text
 
+_PROLOG = {
+    "not": "write \\+ condition",
+    "call": "state the condition itself",
+    "member": "state a fact for each member",
+    "findall": "ask the knowledge base from Python",
+    "forall": "negate a rule for the exceptions",
+    "assert": "add facts from Python",
+    "assertz": "add facts from Python",
+    "retract": "remove facts from Python",
+    "write": "print from Python",
+}
 _GUARDED = {name for name, _ in SYSTEM} | {"=", "is"}
 
 
@@ -23,7 +35,10 @@ def undefined_names(clause: Clause, known: Collection[Indicator], half_read: Col
         atom = literal.atom
         if literal.is_comparison or atom.indicator in SYSTEM or atom.indicator in known or atom.functor in half_read:
             continue
-        yield error(literal.place, undefined_sentence(atom.indicator, known))
+        sentence = undefined_sentence(atom.indicator, known)
+        if atom.functor in _PROLOG and "did you mean" not in sentence:
+            sentence = f"{atom.functor}/{atom.arity} is not part of the language; {_PROLOG[atom.functor]}"
+        yield error(literal.place, sentence)
 
 
 def own_mistakes(clause: Clause) -> Iterator[Finding]:
@@ -36,6 +51,17 @@ def own_mistakes(clause: Clause) -> Iterator[Finding]:
     except ProgramError as mistake:
         if "runs in a circle" not in mistake.sentence:  # circles are looked for in the whole program
             yield finding_of(mistake, clause.place)
+
+
+def unbound_conditions(clause: Clause) -> Iterator[Finding]:
+    """Comparisons and negations that have to wait for the one who asks: nothing in the rule binds their variables."""
+    binders = [x for x in clause.body if not x.negated and (not x.is_comparison or x.atom[0] in ("=", "is"))]
+    for literal in clause.body:
+        if literal in binders or is_range_restricted(Clause(Compound(("asked",)), (*binders, literal))):
+            continue
+        name, arity = clause.head.indicator
+        sentence = f"nothing here binds the variables of {literal_text(literal)}"
+        yield note(literal.place, f"{sentence}: {name}/{arity} must be asked with them")
 
 
 def single_variables(sentences: Iterable[Sentence]) -> Iterator[Finding]:

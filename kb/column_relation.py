@@ -23,7 +23,7 @@ class ColumnRelation(Relation):
         super().__init__(name, arity)
 
     @property
-    def rows(self) -> dict[Row, int]:  # type: ignore[override]
+    def rows(self) -> dict[Row, int]:
         """The rows with their rounds, decoded when first asked for."""
         if self._table is not None:
             self._decoded = self._decode(self._table)

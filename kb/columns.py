@@ -84,8 +84,12 @@ class Table:
     def add(self, columns: list[Ids], round_: int) -> list[Ids]:
         """Add rows; the ones that were new, each once, as columns."""
         size = len(columns[0]) if columns else 0
-        codes = np.unique(code(columns, self.base, size))
-        codes = codes[~self.has(codes)]
+        codes = code(columns, self.base, size)
+        if self._bitmap is None:
+            codes = _distinct(codes)
+            codes = codes[~self.has(codes)]
+        else:  # most of what is found again is known: looking it up first leaves little to sort
+            codes = _distinct(codes[~self._bitmap[codes]])
         if not len(codes):
             return [np.empty(0, np.int64)] * self.arity
         if self._bitmap is not None:
@@ -147,6 +151,14 @@ class Table:
         if not self.runs:
             return [np.empty(0, np.int64)] * self.arity
         return [np.concatenate([run.columns[c] for run in self.runs]) for c in range(self.arity)]
+
+
+def _distinct(codes: Ids) -> Ids:
+    """Each code once, in order. (Sorting beats numpy's hashing ``unique`` on integers by far.)"""
+    ordered = np.sort(codes)
+    keep = np.ones(len(ordered), dtype=bool)
+    keep[1:] = ordered[1:] != ordered[:-1]
+    return ordered[keep]
 
 
 def code(columns: Sequence[Ids], base: int, size: int) -> Ids:

@@ -46,14 +46,17 @@ class Predicate:
             ProgramError: the name is not defined with this many arguments.
         """
         base, indicator = self.base, (self.name, len(args))
-        base.check_known(indicator)
+        if base.stored(indicator) is None:
+            base.check_known(indicator)
+        plain = all(type(arg) in _PLAIN for arg in args)
 
         def goal(state: State) -> Iterator[State]:
             relation = base.stored(indicator)
-            walked = reify(args, state)
             if relation is None:
-                return _derived(base, indicator[0], walked, state)
-            return stored_goal(relation, walked, state)
+                return _derived(base, indicator[0], reify(args, state), state)
+            if plain:
+                return iter((state,)) if args in relation else iter(())
+            return stored_goal(relation, tuple([_walked(arg, state) for arg in args]), state)
 
         return goal
 
@@ -61,18 +64,31 @@ class Predicate:
         return f"<predicate {self.name}>"
 
 
+_PLAIN = frozenset((str, int, float))
+
+
+def _walked(term: Any, state: State) -> Any:
+    """What an argument stands for in the state."""
+    while isinstance(term, Var):
+        value = state.get(term, term)
+        if value is term:
+            return term
+        term = value
+    return reify(term, state) if isinstance(term, tuple) else term
+
+
 def stored_goal(relation: Relation, args: Row, state: State) -> Iterator[State]:
     """The states in which the (walked) arguments are a row of the relation."""
-    open_ = [(at, arg) for at, arg in enumerate(args) if not _is_closed(arg)]
-    if not _is_hashable(args):
-        return  # a Python list or set is no term: it stands in no row
+    open_ = [(at, arg) for at, arg in enumerate(args) if type(arg) is not str and not _is_closed(arg)]
     if not open_:
-        if args in relation:
+        if _is_hashable(args) and args in relation:
             yield state
         return
+    if not _is_hashable(args):
+        return  # a Python list or set is no term: it stands in no row
     free = {at for at, _ in open_}
-    columns = tuple(at for at in range(len(args)) if at not in free)
-    rows = relation.matching(columns, tuple([args[at] for at in columns]))
+    columns = tuple([at for at in range(len(args)) if at not in free])
+    rows = list(relation.matching(columns, tuple([args[at] for at in columns])))
     if type(state) is dict and len({arg for _, arg in open_}) == len(open_) and all(isvar(arg) for _, arg in open_):
         for row in rows:
             extended = state.copy()
@@ -87,18 +103,18 @@ def stored_goal(relation: Relation, args: Row, state: State) -> Iterator[State]:
                 yield extended
 
 
-def _is_closed(term: Any) -> bool:
-    if isinstance(term, tuple):
-        return all(_is_closed(part) for part in term)
-    return not isvar(term)
-
-
 def _is_hashable(args: Row) -> bool:
     try:
         hash(args)
     except TypeError:
         return False
     return True
+
+
+def _is_closed(term: Any) -> bool:
+    if isinstance(term, tuple):
+        return all(_is_closed(part) for part in term)
+    return not isvar(term)
 
 
 def _derived(base: KnowledgeBase, name: str, args: Row, state: State) -> Iterator[State]:

@@ -125,7 +125,7 @@ class Maintenance:
             return
         for plan in self._plans.get((indicator, negated), ()):
             if plan.head in stratum:
-                plan.gave.run(view, rows, found[plan.head].setdefault)  # type: ignore[arg-type]
+                plan.gave.run(view, rows, found[plan.head].setdefault)
 
     def _rederive(
         self, given: Given, relations: Mapping[Indicator, Relation], over: Change, fresh: Change
@@ -180,7 +180,7 @@ class Maintenance:
         for plan in self._plans.get((indicator, negated), ()):
             if plan.head in stratum:
                 found: dict[Row, None] = {}
-                plan.gives.run(relations, rows, found.setdefault)  # type: ignore[arg-type]
+                plan.gives.run(relations, rows, found.setdefault)
                 known = relations[plan.head]
                 for row in found:
                     if row not in known:

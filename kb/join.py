@@ -13,7 +13,7 @@ from casper.kb.clauses import Clause, Literal
 from casper.kb.comparison import compare, is_ready
 from casper.kb.program import Indicator
 from casper.kb.relation import Relation, Row
-from casper.kb.terms import Compound, Term, Variable, is_ground, variables_of
+from casper.kb.terms import Bindings, Compound, Term, Variable, is_ground, substitute, variables_of
 
 Environment: TypeAlias = list[Term]
 Step: TypeAlias = Callable[[Environment], None]
@@ -45,7 +45,9 @@ class Join:
             for x, at in ordered_body(clause.body, delta_at, known)
             if negations or not x.negated or x.is_comparison or at == delta_at
         ]
-        tested = [x for x, _, is_delta in body if is_delta and x.negated and negations]
+        tested = [_apart(x) for x, _, is_delta in body if is_delta and x.negated and negations]
+        for variable in (v for x in tested for v in x.variables()):
+            self._slots.setdefault(variable, len(self._slots))
         self._head = _Binder([(c, arg) for c, arg in enumerate(clause.head.args)], NOBODY, self._slots)
         self._step = self._compiled([*body, *((x, -1, False) for x in tested)], known)
 
@@ -62,6 +64,16 @@ class Join:
         """Emit every head row that the rule derives; the delta condition ranges over ``rows``."""
         self._context[:] = relations, rows, emit
         self._step([None] * len(self._slots))
+
+    def first(self, relations: Mapping[Indicator, Relation]) -> dict[Variable, Term] | None:
+        """One solution of the body, or None when there is none."""
+        environment: Environment = [None] * len(self._slots)
+        self._context[:] = relations, (), _stop
+        try:
+            self._step(environment)
+        except _Found:
+            return {variable: environment[slot] for variable, slot in self._slots.items()}
+        return None
 
     def derives(self, relations: Mapping[Indicator, Relation], row: Row) -> bool:
         """Whether the rule derives this head row (the join was compiled with ``bound_head``)."""
@@ -107,6 +119,12 @@ class Join:
                 then(environment)
 
         return scan if is_delta else absent if literal.negated else lookup
+
+
+def _apart(literal: Literal) -> Literal:
+    """A negated condition with its wildcards open again, for the row that came or went has bound them."""
+    fresh: Bindings = {v: Variable(f"{v.name}again") for v in literal.variables() if v.is_anonymous}
+    return Literal(substitute(literal.atom, fresh), True, literal.place)
 
 
 class _Found(Exception):

@@ -4,8 +4,8 @@ A row keeps the round in which it appeared. Rounds count up through all strata, 
 from earlier rounds: that is all that `kb.why` needs to rebuild a well-founded proof. Within a stratum the round is the
 least height of a proof.
 
-Small programs are evaluated on Python rows; from ``COLUMNS_FROM`` rows on, a program of plain rules goes to numpy
-columns (`kb.columnar`).
+Small programs are evaluated on Python rows; a program of plain rules that has, or comes to have, ``COLUMNS_FROM`` rows
+goes to numpy columns (`kb.columnar`).
 """
 
 from __future__ import annotations
@@ -29,13 +29,14 @@ def materialise(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator,
         BudgetExceeded: more than ``most_rows`` rows were derived.
     """
     stored = [indicator for stratum in program.strata for indicator in stratum]
-    if sum(len(program.given[i]) for i in stored) >= COLUMNS_FROM:
-        from casper.kb.columnar_fixpoint import columnar_fixpoint  # numpy is loaded for large programs only
+    if sum(len(program.given[i]) for i in stored) < COLUMNS_FROM:
+        try:
+            return row_fixpoint(program, min(COLUMNS_FROM, most_rows))
+        except BudgetExceeded:
+            pass  # few facts can have many consequences: then it was a large program after all
+    from casper.kb.columnar_fixpoint import columnar_fixpoint  # numpy is loaded for large programs only
 
-        found = columnar_fixpoint(program, most_rows)
-        if found is not None:
-            return found
-    return row_fixpoint(program, most_rows)
+    return columnar_fixpoint(program, most_rows) or row_fixpoint(program, most_rows)
 
 
 def row_fixpoint(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator, Relation]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, MutableMapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 from casper.kb.clauses import Clause
@@ -25,12 +25,11 @@ class Model:
     """
 
     program: Program
-    given: MutableMapping[Indicator, MutableMapping[Row, Clause | None]]
+    given: Mapping[Indicator, MutableMapping[Row, Clause | None]]
     relations: MutableMapping[Indicator, Relation]
     computed: Mapping[Indicator, Computed]
     maintenance: Maintenance
     round: int = 1 << 40  # of the next change; later than any round of a fixpoint
-    answers: dict[object, bool] = field(default_factory=dict)  # ground questions already answered
 
     @classmethod
     def of(
@@ -70,7 +69,6 @@ class Model:
             given[row] = clause
         else:
             del given[row]
-        self.answers.clear()
         self.__dict__.pop("constraints", None)
         here: Change = {indicator: {row: None}}
         try:

@@ -13,11 +13,13 @@ from typing import Any
 from lark import Lark, Token, Tree, UnexpectedInput
 from lark.exceptions import UnexpectedCharacters, UnexpectedEOF
 
+from casper.kb.bulk_reader import read_large
 from casper.kb.clauses import Clause, Directive, Literal, Production, Sentence
 from casper.kb.errors import DomainError, Place, ReadError
 from casper.kb.namespace import qualified
 from casper.kb.terms import NIL, Compound, Term, Variable, make_list, predication, variables_of
 
+LARGE = 20_000  # characters from which plain facts are read by an expression of their own
 _ESCAPES = {"n": "\n", "t": "\t", "\\": "\\", "'": "'", '"': '"', "0": "\0", "r": "\r"}
 _NAMED = frozenset({"atom", "compound"})  # what a clause can be about
 _CONDITIONS = _NAMED | {"compare", "colon"}
@@ -38,6 +40,12 @@ def read_text(text: str, file: str = "<text>") -> list[Sentence]:
     Raises:
         ReadError: with file, line, column and a caret under the first thing that is not of the language.
     """
+    if len(text) >= LARGE:
+        return read_large(text, file, lambda part: _read_by_grammar(part, file))
+    return _read_by_grammar(text, file)
+
+
+def _read_by_grammar(text: str, file: str) -> list[Sentence]:
     tree = _parse(text, file, "start")
     with _excerpts(text):
         return [sentence for part in tree.children for sentence in _sentences(part, file)]

@@ -19,6 +19,7 @@ _PIECE = re.compile(
     r"""%[^\n]*|/\*.*?\*/|/\*.*|'(?:[^'\\\n]|\\[^\n]|'')*'|"(?:[^"\\\n]|\\[^\n]|"")*"|\d+\.\d+|(\.(?=\s|%|\Z))|.""",
     re.DOTALL,
 )
+_BLOCK = 200  # clauses read at once, as long as all of them can be read
 _HEAD = re.compile(r"(?:\s|%[^\n]*\n|/\*.*?\*/)*([a-z][A-Za-z0-9_]*)", re.DOTALL)
 
 
@@ -38,21 +39,31 @@ def read_tolerantly(text: str, file: str = "<text>") -> Recovered:
     except ReadError as mistake:
         if mistake.place is None or "nested too deeply" in mistake.sentence:
             return Recovered(mistakes=[mistake])
-    found = Recovered()
-    waiting = list(reversed(list(_pieces(text))))
-    while waiting:
-        start, end = waiting.pop()
+    found, pieces = Recovered(), list(_pieces(text))
+    for at in range(0, len(pieces), _BLOCK):
+        block = pieces[at : at + _BLOCK]
         try:
-            found.sentences.extend(read_text(_alone(text, start, end), file))
+            found.sentences.extend(read_text(_alone(text, block[0][0], block[-1][1]), file))
+        except ReadError:
+            for start, end in block:
+                _read_piece(text, start, end, file, found)
+    return found
+
+
+def _read_piece(text: str, start: int, end: int, file: str, found: Recovered) -> None:
+    """Read one clause; where its full stop is missing, what follows it as well."""
+    at: int | None = start
+    while at is not None:
+        begin, at = at, None
+        try:
+            found.sentences.extend(read_text(_alone(text, begin, end), file))
         except ReadError as mistake:
-            cut = _missing_stop(text, start, end, mistake)
-            if cut is not None:
-                found.sentences.extend(_head_of(text, start, cut, file))
-                waiting.append((cut, end))
-            elif (head := _HEAD.match(text, start, end)) is not None:
+            at = _missing_stop(text, begin, end, mistake)
+            if at is not None:
+                found.sentences.extend(_head_of(text, begin, at, file))
+            elif (head := _HEAD.match(text, begin, end)) is not None:
                 found.half_read.add(head[1])
             found.mistakes.append(_shown(mistake, text))
-    return found
 
 
 def _pieces(text: str) -> Iterator[tuple[int, int]]:

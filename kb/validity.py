@@ -12,10 +12,11 @@ from typing import TypeAlias
 
 from casper.kb.clauses import Clause, Literal
 from casper.kb.errors import BudgetExceeded
-from casper.kb.program import SYSTEM, Indicator, Program
+from casper.kb.join import Join
+from casper.kb.program import SITUATION, SYSTEM, Indicator, Program, is_range_restricted
 from casper.kb.relation import Relation
 from casper.kb.solve import Solver
-from casper.kb.terms import Compound, Term, Variable, as_term, predication, substitute, variables_of
+from casper.kb.terms import Bindings, Compound, Term, Variable, as_term, predication, substitute, variables_of
 from casper.kb.why_not import Refusal, Violation
 
 History: TypeAlias = Sequence[tuple[Term, float]]  # what happened earlier: (statement, seconds)
@@ -49,17 +50,22 @@ class Constraints:
     """The constraints of a program: those the facts alone decide are decided once."""
 
     always: tuple[Violation, ...]
-    by_claim: tuple[Clause, ...] = field(default=())
+    by_claim: tuple[tuple[Clause, Join | None], ...] = field(default=())  # compiled, where the rows of all it needs are
 
     def broken_by(self, claim: Compound, solver: Solver) -> Iterator[Violation]:
         """Every constraint that is broken when the statement is claimed; the solver knows what was done before."""
         yield from self.always
-        candidates = [c for c in self.by_claim if _may_concern(c, claim)]
+        candidates = [(clause, join) for clause, join in self.by_claim if _may_concern(clause, claim)]
         if not candidates:
             return
         relations = _Overlay(solver.relations, {("claim", 1): Relation("claim", 1, [(as_term(claim),)])})
         open_ = tuple(variables_of(claim))
-        for clause in candidates:
+        for clause, join in candidates:
+            if join is not None and not open_:
+                solution = join.first(relations)
+                if solution is not None:
+                    yield _told(clause, clause.body, solution)
+                continue
             search = Solver(relations, solver.clauses, solver.computed, solver.budget, floundering_fails=True)
             violation = _violation(clause, search, open_)
             if violation is not None:
@@ -85,10 +91,17 @@ class _Overlay(dict[Indicator, Relation]):
         found = super().get(key)
         return self.below.get(key) if found is None else found
 
+    def __missing__(self, key: Indicator) -> Relation:
+        found = self.below.get(key)
+        return _NOTHING_DONE if found is None else found
+
+
+_NOTHING_DONE = Relation("did", 2)
+
 
 def constraints_of(program: Program, solver: Solver) -> Constraints:
     """Sort the constraints: those that need the situation wait for a claim, the others are decided now."""
-    by_claim = tuple(c for c in program.constraints if _is_situational(c, program))
+    by_claim = tuple((c, _compiled(c, program)) for c in program.constraints if _is_situational(c, program))
     static = (c for c in program.constraints if not _is_situational(c, program))
     always = (_violation(clause, solver) for clause in static)
     return Constraints(tuple(v for v in always if v is not None), by_claim)
@@ -97,6 +110,13 @@ def constraints_of(program: Program, solver: Solver) -> Constraints:
 def _is_situational(clause: Clause, program: Program) -> bool:
     needed = {x.atom.indicator for x in clause.body if not x.is_comparison}
     return not needed.isdisjoint(program.situational | set(SYSTEM))
+
+
+def _compiled(clause: Clause, program: Program) -> Join | None:
+    """The constraint as a join, where every predicate it needs is stored or the situation itself."""
+    listed = {*SITUATION, *(indicator for stratum in program.strata for indicator in stratum)}
+    needed = {x.atom.indicator for x in clause.body if not x.is_comparison}
+    return Join(clause) if needed <= listed and is_range_restricted(clause) else None
 
 
 def _may_concern(clause: Clause, claim: Compound) -> bool:
@@ -110,14 +130,19 @@ def _may_concern(clause: Clause, claim: Compound) -> bool:
 
 def _violation(clause: Clause, solver: Solver, open_: tuple[Variable, ...] = ()) -> Violation | None:
     """The first way the constraint is broken for every value of the claim's open parts, or None."""
-    head, body = solver.fresh(clause)
+    _, body = solver.fresh(clause)
     for solution in solver.solve(body):
         values = [substitute(variable, solution) for variable in open_]
         if len(set(values)) < len(values) or not all(isinstance(value, Variable) for value in values):
             continue  # broken for some values only: another may still be valid
-        clash = tuple(Literal(substitute(x.atom, solution), x.negated, x.place) for x in body)
-        return Violation(str(head[1]), clause, clash)
+        return _told(clause, body, solution)
     return None
+
+
+def _told(clause: Clause, body: Sequence[Literal], solution: Bindings) -> Violation:
+    """A violation with the instance of the constraint's body that clashes."""
+    clash = tuple(Literal(substitute(x.atom, solution), x.negated, x.place) for x in body)
+    return Violation(str(clause.head[1]), clause, clash)
 
 
 def valid_instances(statement: Compound, solver: Solver, constraints: Constraints) -> Iterator[Compound]:

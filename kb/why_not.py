@@ -10,9 +10,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from casper.kb.clauses import Clause, Literal
+from casper.kb.comparison import compare
 from casper.kb.errors import BudgetExceeded, ProgramError
 from casper.kb.solve import Solver, next_ready
-from casper.kb.terms import Bindings, Compound, as_term, substitute, unify
+from casper.kb.terms import Bindings, Compound, as_term, is_ground, substitute, unify
 from casper.kb.wording import failure_sentence
 from casper.kb.writer import term_text
 
@@ -72,6 +73,11 @@ def attempts(statement: Compound, clauses: Sequence[Clause], solver: Solver) -> 
     Where the nearest is too far to search for, the first condition that fails stands for it.
     """
     for clause in clauses:
+        plain = settled(clause, statement, solver)
+        if plain is not None:
+            if plain:
+                yield Attempt(clause, plain)
+            continue
         head, body = solver.fresh(clause)
         bindings = unify(head, statement, {})
         if bindings is None or not body:
@@ -86,6 +92,31 @@ def attempts(statement: Compound, clauses: Sequence[Clause], solver: Solver) -> 
             break
         else:
             yield Attempt(clause, ())
+
+
+def settled(clause: Clause, statement: Compound, solver: Solver) -> tuple[Literal, ...] | None:
+    """The failing conditions of a clause whose head alone settles every variable: nothing needs to be searched.
+
+    Empty where the head does not fit; None where some variable, or a predicate answered top-down, is left to a search.
+    """
+    bindings = unify(clause.head, statement, {})
+    if bindings is None or not clause.body:
+        return ()
+    failed = []
+    for literal in clause.body:
+        atom = substitute(literal.atom, bindings)
+        if not is_ground(atom):
+            return None
+        if literal.is_comparison:
+            holds = compare(literal, bindings) is not None
+        else:
+            relation = solver.relations.get(atom.indicator)
+            if relation is None:
+                return None
+            holds = (atom.args in relation) != literal.negated
+        if not holds:
+            failed.append(Literal(atom, literal.negated, literal.place))
+    return tuple(failed) or None
 
 
 def nearest(body: Sequence[Literal], bindings: Bindings, solver: Solver) -> tuple[Literal, ...]:

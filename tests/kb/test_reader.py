@@ -221,7 +221,7 @@ _bodies = from_lark(
 )
 
 
-@settings(max_examples=settings.default.max_examples // 10, suppress_health_check=list(HealthCheck))  # slow to draw
+@settings(max_examples=settings.default.max_examples // 16, suppress_health_check=list(HealthCheck))  # slow to draw
 @given(_bodies)
 def test_whatever_the_grammar_can_spell_is_read_or_refused_in_words(body):
     for text in (f"p :- {body}\n.", f"p --> {body}\n.", f":- {body}\n.", f"p(({body}\n))."):
