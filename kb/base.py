@@ -222,7 +222,7 @@ class KnowledgeBase:
             if first is None:
                 return None
             atom = first
-        return prove(atom, self._model.relations, self.solver(), self._model.given)
+        return prove(atom, self._model.proofs, self.solver(), self._model.given)
 
     def why_not(self, statement: Statement, history: History = _EMPTY) -> Refusal | None:
         """Why the statement is not provable or not valid; None when it is both."""
@@ -233,7 +233,7 @@ class KnowledgeBase:
             return Refusal(atom, undefined=self._undefined(atom.indicator))
         history = self._history(history)
         relation = self._model.relations.get(atom.indicator)
-        if relation is not None and atom.args in relation:  # a stored row: it is ground, and only constraints can object
+        if relation is not None and atom.args in relation:  # ground, so only constraints can object
             violations = tuple(self._violations(atom, history))
             return Refusal(atom, (), violations, provable=True) if violations else None
         provable = next(self.solver(history=history).solve([Literal(atom)]), None)
@@ -341,7 +341,7 @@ class KnowledgeBase:
         loaded = list(map(tuple, rows))
         arities = set(map(len, loaded))
         if len(arities) > 1:
-            raise ProgramError(f"the rows of {name} have {' and '.join(map(str, sorted(arities)))} columns; one is needed")
+            raise ProgramError(f"the rows of {name} have {' and '.join(map(str, sorted(arities)))} columns; pick one")
         if any(type(value) is Variable for row in loaded for value in row):
             raise ProgramError(f"a row of {name} has a variable; only constants can be loaded")
         if arities:

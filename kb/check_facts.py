@@ -9,7 +9,7 @@ from casper.kb.clauses import Clause, Literal
 from casper.kb.errors import CasperError
 from casper.kb.finding import Finding, error, warning
 from casper.kb.program import SYSTEM, Indicator
-from casper.kb.proof import Proof, facts_of
+from casper.kb.proof import Proof
 from casper.kb.terms import Compound, Term, Variable, as_term, is_ground, substitute
 from casper.kb.writer import literal_text, term_text
 
@@ -121,15 +121,15 @@ def _clashing(kb: KnowledgeBase, atoms: Sequence[Compound]) -> list[str]:
 
 
 def _given(proof: Proof | None) -> Iterator[tuple[Compound, str]]:
-    if proof is None:
-        return
-    places: dict[Compound, str] = {}
-    waiting = [proof]
+    """The facts at the leaves of a proof, in its order, each with its place."""
+    seen: set[int] = set()
+    waiting = [] if proof is None else [proof]
     while waiting:
         step = waiting.pop()
-        waiting.extend(step.premises)
-        if step.clause is not None and not step.clause.body and step.clause.place.line:
+        if id(step) in seen:
+            continue
+        seen.add(id(step))
+        waiting.extend(reversed(step.premises))
+        if step.clause is not None and not step.clause.body:
             place = step.clause.place
-            places[step.fact] = f" ({place.file.rsplit('/', 1)[-1]}:{place.line})"
-    for fact in facts_of(proof):
-        yield fact, places.get(fact, "")
+            yield step.fact, f" ({place.file.rsplit('/', 1)[-1]}:{place.line})" if place.line else ""

@@ -57,7 +57,8 @@ def unbound_conditions(clause: Clause) -> Iterator[Finding]:
     """Comparisons and negations that have to wait for the one who asks: nothing in the rule binds their variables."""
     binders = [x for x in clause.body if not x.negated and (not x.is_comparison or x.atom[0] in ("=", "is"))]
     for literal in clause.body:
-        if literal in binders or is_range_restricted(Clause(Compound(("asked",)), (*binders, literal))):
+        is_equality = literal.is_comparison and literal.atom[0] == "=" and not literal.negated
+        if is_equality or is_range_restricted(Clause(Compound(("asked",)), (*binders, literal))):
             continue
         name, arity = clause.head.indicator
         sentence = f"nothing here binds the variables of {literal_text(literal)}"

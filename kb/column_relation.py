@@ -1,4 +1,4 @@
-"""A relation that a columnar fixpoint left behind: asked on its columns, turned into Python rows when somebody needs them."""
+"""A relation that a columnar fixpoint left behind: its columns, turned into Python rows when somebody needs them."""
 
 from __future__ import annotations
 

@@ -14,7 +14,6 @@ from collections.abc import Collection, Iterable, Mapping, MutableMapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from casper.kb.clauses import Clause
 from casper.kb.join import Join
 from casper.kb.program import Indicator, Program
 from casper.kb.relation import Columns, Relation, Row

@@ -52,6 +52,11 @@ def row_fixpoint(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator
     return relations
 
 
+def fixpoint_of(program: Program, stratum: frozenset[Indicator], relations: dict[Indicator, Relation]) -> None:
+    """Evaluate some predicates' rules on relations that hold their given rows and all rows of what else they need."""
+    _Stratum(program, stratum, relations, MOST_ROWS).run(0)
+
+
 class _Stratum:
     """The fixpoint of one stratum: what is new in a round is joined with everything in the next."""
 

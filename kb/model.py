@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, MutableMapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from casper.kb.clauses import Clause
 from casper.kb.errors import ProgramError
+from casper.kb.heights import least_heights
 from casper.kb.incremental import Change, Maintenance, TooMuch
 from casper.kb.layered import LayeredRelation
 from casper.kb.materialise import materialise
@@ -15,6 +16,8 @@ from casper.kb.program import Indicator, Program, analyse
 from casper.kb.relation import Relation, Row
 from casper.kb.solve import Computed, Solver
 from casper.kb.validity import Constraints, constraints_of
+
+MOST_EXACT = 50_000  # rows up to which proofs are of least height whatever happened
 
 
 @dataclass
@@ -29,6 +32,7 @@ class Model:
     relations: MutableMapping[Indicator, Relation]
     computed: Mapping[Indicator, Computed]
     maintenance: Maintenance
+    changed: bool = False
     round: int = 1 << 40  # of the next change; later than any round of a fixpoint
 
     @classmethod
@@ -56,6 +60,18 @@ class Model:
         """The constraints, those that the facts alone decide decided now."""
         return constraints_of(self.program, Solver(self.relations, self.program.clauses, self.computed))
 
+    @cached_property
+    def proofs(self) -> Mapping[Indicator, Relation]:
+        """The relations with the rounds that proofs are built from: least heights, where that costs little.
+
+        A large base that has more than one stratum, or that changed, keeps its rounds as they are: its proofs are
+        well-founded, but a shorter one may exist.
+        """
+        exact = len(self.program.strata) <= 1 and not self.changed
+        if exact or sum(map(len, self.relations.values())) > MOST_EXACT:
+            return self.relations
+        return least_heights(replace(self.program, given=self.given), self.relations)  # type: ignore[arg-type]
+
     def keeps(self, indicator: Indicator) -> bool:
         """Whether facts of the predicate can come and go without a new analysis."""
         return indicator in self.relations
@@ -69,7 +85,9 @@ class Model:
             given[row] = clause
         else:
             del given[row]
+        self.changed = True
         self.__dict__.pop("constraints", None)
+        self.__dict__.pop("proofs", None)
         here: Change = {indicator: {row: None}}
         try:
             added, removed = (here, {}) if add else ({}, here)
@@ -85,7 +103,7 @@ class Model:
     def layer(self, computed: Mapping[Indicator, Computed]) -> Model:
         """A model laid over this one: what changes there leaves this one as it is."""
         given, relations = _Layers(self.given, _GivenLayer), _Layers(self.relations, LayeredRelation)
-        return Model(self.program, given, relations, computed, self.maintenance, self.round)
+        return Model(self.program, given, relations, computed, self.maintenance, self.changed, self.round)
 
 
 class _Layers(dict):  # type: ignore[type-arg]
@@ -101,7 +119,10 @@ class _Layers(dict):  # type: ignore[type-arg]
 
     def get(self, key: Indicator, default: object = None) -> object:
         """The entry, through its layer."""
-        return self[key] if key in self else default
+        try:
+            return self[key]
+        except KeyError:
+            return default
 
     def __contains__(self, key: object) -> bool:
         return super().__contains__(key) or key in self.below

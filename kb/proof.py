@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from casper.kb.clauses import Clause, Literal
 from casper.kb.terms import Compound, as_term
 from casper.kb.writer import literal_text, term_text
+
+if TYPE_CHECKING:
+    import networkx as nx
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,39 +35,60 @@ class Proof:
     @property
     def height(self) -> int:
         """The number of rule applications on the longest branch."""
-        heights: dict[int, int] = {}  # premises first, in a loop: a chain of rules may be longer than Python's stack
+        heights: dict[int, int] = {}
+        for proof in self.premises_first():
+            heights[id(proof)] = 1 + max(heights[id(p)] for p in proof.premises) if proof.premises else 0
+        return heights[id(self)]
+
+    def premises_first(self) -> Iterator[Proof]:
+        """Every node once, premises before what they prove: a loop, since a proof may be deeper than Python's stack."""
+        seen: set[int] = set()
         waiting = [self]
         while waiting:
             proof = waiting[-1]
-            missing = [premise for premise in proof.premises if id(premise) not in heights]
+            missing = [premise for premise in proof.premises if id(premise) not in seen]
             if missing:
                 waiting.extend(missing)
-            else:
-                heights[id(proof)] = 1 + max(heights[id(p)] for p in proof.premises) if proof.premises else 0
-                waiting.pop()
-        return heights[id(self)]
+                continue
+            waiting.pop()
+            if id(proof) not in seen:
+                seen.add(id(proof))
+                yield proof
 
     def __str__(self) -> str:
         return "\n".join(_lines(self))
 
+    def to_networkx(self) -> nx.DiGraph:
+        """The proof as a graph: a node a condition (attributes ``text``, ``by``, ``place``), edges to its premises.
+
+        A condition that is used twice is one node; node 0 is what is proved.
+        """
+        import networkx as nx
+
+        graph: nx.DiGraph = nx.DiGraph()
+        nodes = list(self.premises_first())[::-1]
+        numbers = {id(proof): number for number, proof in enumerate(nodes)}
+        for proof in nodes:
+            graph.add_node(numbers[id(proof)], text=_text(proof), by=_kind(proof), place=_place(proof))
+            graph.add_edges_from((numbers[id(proof)], numbers[id(premise)]) for premise in proof.premises)
+        return graph
+
     def to_json(self) -> dict[str, Any]:
         """``{"fact": text, "by": "fact"|"rule"|"test"|"absence"|"check", "place": text, "because": […]}``."""
-        return {
-            "fact": _text(self),
-            "by": _kind(self),
-            "place": _place(self) or None,
-            "because": [premise.to_json() for premise in self.premises],
-        }
+        found: dict[int, dict[str, Any]] = {}
+        for proof in self.premises_first():
+            found[id(proof)] = {
+                "fact": _text(proof),
+                "by": _kind(proof),
+                "place": _place(proof) or None,
+                "because": [found[id(premise)] for premise in proof.premises],
+            }
+        return found[id(self)]
 
 
 def facts_of(proof: Proof) -> Iterator[Compound]:
-    """The given facts a proof rests on, in its order."""
-    waiting = [proof]
-    while waiting:
-        proof = waiting.pop()
-        if _kind(proof) == "fact":
-            yield proof.fact
-        waiting.extend(reversed(proof.premises))
+    """The given facts a proof rests on, each once."""
+    return (node.fact for node in proof.premises_first() if _kind(node) == "fact")
 
 
 def _lines(proof: Proof) -> Iterator[str]:

@@ -13,7 +13,6 @@ from casper.kb.relation import Columns, Relation, Row
 from casper.kb.solve import Solver
 from casper.kb.terms import Compound, predication, substitute, unify
 
-
 Given: TypeAlias = Mapping[Indicator, Mapping[Row, Clause | None]]  # base facts, with the clause behind each
 
 

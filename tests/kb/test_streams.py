@@ -104,3 +104,20 @@ def test_the_answers_are_those_that_logic_gives(goal):
     ground = lany(*(lall(eq(X, x), eq(Y, y)) for x in range(3) for y in range(3)))
     found = set(run(0, (X, Y), built(goal, eq, lall, lany), ground))
     assert found == {(x, y) for x in range(3) for y in range(3) if meant(goal, x, y)}
+
+
+def test_the_relation_is_a_drop_in_that_keeps_disequalities_and_uses_its_index():
+    from casper.kb import minikanren as mk
+
+    edge = mk.Relation("edge")
+    mk.facts(edge, *[(i, i + 1) for i in range(500)])
+    mk.fact(edge, 0, 7)
+    assert set(mk.run(0, X, edge(0, X))) == {1, 7}
+    assert mk.run(0, X, mk.neq(X, 1), edge(0, X)) == (7,)
+    assert mk.run(0, X, edge(0, X), mk.neq(X, 1)) == (7,)
+    rows = edge._rows(2)
+    before = rows.touched
+    assert mk.run(0, Y, mk.eq(X, 250), edge(X, Y)) == (251,)
+    assert rows.touched - before == 1
+    assert len(edge.facts) == 501
+    assert kanren_run(0, X, edge(X, 7)) in ((0, 6), (6, 0))

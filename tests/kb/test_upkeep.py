@@ -28,7 +28,7 @@ def plain_programs(draw) -> str:
         rows = draw(st.lists(st.tuples(*[st.sampled_from(VALUES)] * arity), max_size=6))
         lines += [f"{name}({', '.join(map(str, row))})." for row in rows]
     order = [*BASE, *DERIVED]
-    for name, arity in DERIVED.items():
+    for name in DERIVED:
         for _ in range(draw(st.integers(0, 2))):
             usable, below = order[: order.index(name) + 1], order[: order.index(name)]
             terms = st.sampled_from(["X", "Y", "Z", "X", "Y", "a", "1"])
@@ -166,6 +166,46 @@ def test_every_row_has_a_proof_after_changes(text, sequence):
         apply(base, change)
     for fact in atoms(base):
         assert base.why(fact) is not None
+
+
+def least_heights(base: KnowledgeBase) -> dict:
+    """By brute force: every instance of every clause, again and again."""
+    from casper.kb.solve import Solver
+    from casper.kb.terms import substitute
+
+    relations = base._model.relations
+    steps = []
+    for clause in base.clauses:
+        for solution in Solver(relations, {}).solve(clause.body):
+            premises = [substitute(x.atom, solution) for x in clause.body if not (x.negated or x.is_comparison)]
+            steps.append((substitute(clause.head, solution), premises, 1 if clause.body else 0))
+    heights: dict = {}
+    while True:
+        before = dict(heights)
+        for head, premises, cost in steps:
+            if all(p in heights for p in premises):
+                height = cost + max((heights[p] for p in premises), default=0)
+                heights[head] = min(height, heights.get(head, height))
+        if heights == before:
+            return heights
+
+
+@given(programs(), changes())
+def test_a_proof_has_the_least_height_there_is_also_after_changes(text, sequence):
+    base = KnowledgeBase.from_text(text)
+    for change in sequence:
+        apply(base, change)
+    heights = least_heights(base)
+    for fact in atoms(base):
+        assert base.why(fact).height == heights[fact]
+
+
+def test_a_proof_is_a_graph_and_json_however_deep_it_is():
+    rules = " ".join(f"p{i} :- p{i - 1}, p{i - 1}." for i in range(1, 1500))
+    proof = KnowledgeBase.from_text(f"p0. {rules}").why("p1499")
+    graph = proof.to_networkx()
+    assert (len(graph), graph.nodes[0]["text"], graph.nodes[0]["by"]) == (1500, "p1499", "rule")
+    assert proof.to_json()["because"][1]["fact"] == "p1498"
 
 
 def test_a_fact_given_twice_is_given_once():
