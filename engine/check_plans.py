@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import islice
 
 from casper.engine.domain import Domain
-from casper.kb.errors import CasperError, Place
+from casper.kb.errors import BudgetExceeded, CasperError, Place
 from casper.kb.finding import Finding, error, note, warning
 from casper.kb.terms import Bindings, Compound, Variable, as_term, substitute, unify
 from casper.kb.writer import term_text
@@ -61,7 +61,8 @@ def _never_seen(domain: Domain, plan: Plan) -> Iterator[Finding]:
 def _obstacle(domain: Domain, plan: Plan, agent: str | None) -> _Obstacle | None:
     """The first thing that keeps the agent (None: everybody) from the plan, whatever its parameters are.
 
-    What lies before a step is taken as done by the partner. A search without an end keeps nobody from anything.
+    What lies before a step is taken as done by the partner. A search without an end keeps nobody from anything; a
+    condition that cannot be decided does.
     """
     found: _Obstacle | None = None
     try:
@@ -74,8 +75,10 @@ def _obstacle(domain: Domain, plan: Plan, agent: str | None) -> _Obstacle | None
             refusal = domain.kb.why_not(Compound(("goal", as_term(plan.goal))))
             reasons = refusal.reasons if refusal is not None else ("no value of its parameters makes it a goal",)
             return _Obstacle(None, plan.place, reasons)
-    except CasperError:
+    except BudgetExceeded:
         return None
+    except CasperError as mistake:
+        return _Obstacle(None, mistake.place or plan.place, (mistake.sentence,))
     return found
 
 

@@ -41,12 +41,13 @@ Capability: TypeAlias = Callable[[Explanation, int, str], tuple[Compound, bool]]
 
 def collaborative_plan(agent: str, explanation: Explanation, capability: Capability) -> CollaborativePlan:
     """The agent's part in finishing an explanation's plan: the longest run of its frontier that the agent can do."""
-    first = len(explanation.leaves) - len(explanation.frontier)
-    able = [capability(explanation, first + at, agent) for at in range(len(explanation.frontier))]
+    frontier = explanation.open_leaves
+    able = [capability(explanation, leaf, agent) for leaf in frontier]
     start, stop = longest_run([can for _, can in able])
     actions = [action for action, _ in able]
-    leaves = tuple(range(first + start, first + stop))
-    return CollaborativePlan(agent, explanation.goal, tuple(actions[:start]), tuple(actions[start:stop]), leaves)
+    return CollaborativePlan(
+        agent, explanation.goal, tuple(actions[:start]), tuple(actions[start:stop]), frontier[start:stop]
+    )
 
 
 def longest_run(able: Sequence[bool]) -> tuple[int, int]:

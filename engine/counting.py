@@ -1,10 +1,10 @@
 """The counting engine: Algorithm 1 without copying a tree, with all its extensions.
 
-Marking a leaf closes every leaf that the plan puts before it; those unobserved are missed for good. So the explanations
-of a plan are the ways to give the observations leaves that are open then, and all that the rest depends on is a *state*:
-what is closed, which open optional parts were entered, how many leaves the plan has by now, how many it missed, how many
-observations were needless, and what is known of the parameters. Per plan and observation a level counts the
-explanations that end in each state:
+Marking a leaf closes every leaf that the plan puts before it; those unobserved are missed for good. So the
+explanations of a plan are the ways to give the observations leaves that are open then, and all that the rest depends
+on is a *state*: what is closed, which open optional parts were entered, how many leaves the plan has by now, how many
+it missed, how many observations were needless, and what is known of the parameters. Per plan and observation a level
+counts the explanations that end in each state:
 
     C_k[s'] = sum of C_{k-1}[s] over the states s from which observation k leads to s'
 
@@ -13,41 +13,33 @@ For a plan whose actions simply follow one another the closed leaves are those u
     C_1[j] = [leaf j can be o_1]        C_k[j] = [leaf j can be o_k] * sum of C_{k-1}[i] over i < j
 
 The score depends on the state only, so exact counts, posteriors, the best explanation, ties and a best-first stream
-follow without enumerating any. `docs/recognition.md` says what every extension means; `engine.tree_copying` is the
-specification of the plain case and brute force of the others (tests).
+follow without enumerating any. ``docs/recognition.md`` says what every extension means; `engine.tree_copying` is the
+specification of the plain case, brute force that of the others (tests).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from heapq import heapify, heappop, heappush
-from typing import TypeAlias
+from itertools import count, takewhile
 
+from casper.engine.explanation import Explanation
 from casper.engine.matching import Binding, Matcher, Mismatch
-from casper.engine.observation import Seen, options_of
+from casper.engine.observation import Observation, Seen, options_of
 from casper.engine.paths import best_first
+from casper.engine.policy import Standing
 from casper.engine.scoring import Score, paper
-from casper.plans.chart import Chart, chart_of
+from casper.engine.states import NEEDLESS, Edges, Level, State, Weight, advance, start, successors, weigh
+from casper.plans.chart import chart_of
 from casper.plans.plan import Plan
-
-State: TypeAlias = tuple[int, int, int, int, int, Binding]
-"""Closed leaves, entered optional parts, leaves of the plan, missed, needless observations, binding."""
-Level: TypeAlias = dict[State, int]  # how many explanations end in each state
-Edge: TypeAlias = tuple[int, Binding, float]  # leaf, binding after, likelihood
-Edges: TypeAlias = dict[Binding, list[Edge]]  # by binding before: what was matched at one observation
-Weight: TypeAlias = tuple[float, float, int]  # sum and largest of the likelihoods of a state's paths; how many are largest
-Step: TypeAlias = tuple[State, float]
-
-NEEDLESS = -1  # the mark of an observation that was taken for no leaf
 
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """All explanations of one plan that end in one state: they share their score and their frontier.
+    """All explanations of one plan that end in one state: they share their frontier, and their score.
 
-    ``score`` is that of the best of them (all of them, unless actions were uncertain), ``weight`` the score times the
+    ``score`` is that of the best of them (of all, unless actions were uncertain), ``weight`` the score times the
     goal's prior, ``ties`` how many reach it.
     """
 
@@ -60,20 +52,19 @@ class Group:
 
     @property
     def missed(self) -> int:
-        """Leaves that were missed."""
+        """How many leaves were missed."""
         return self.state[3]
 
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """One explanation as the engine tells it: marks has a leaf (or `NEEDLESS`) for every observation."""
+    """One explanation as the engine tells it: a leaf, or `states.NEEDLESS`, for every observation."""
 
     plan: int
     marks: tuple[int, ...]
     binding: Binding
     score: float
     weight: float
-    missed: int
 
 
 class Counting:
@@ -105,37 +96,41 @@ class Counting:
         self._edges: list[dict[int, Edges]] = []
         self._weights: list[dict[int, dict[State, Weight]] | None] = [None]
         self._groups: list[Group] | None = None
+        self._labels = [plan.label for plan in plans]
         for plan, chart in enumerate(self.charts):
             binding = matcher.initial(plan)
             if isinstance(binding, Mismatch):
                 self._note(plan, binding)
             else:
-                self.levels[0][plan] = {(*chart.start, 0, binding): 1}
+                self.levels[0][plan] = {start(chart, binding): 1}
 
     # --- observing -------------------------------------------------------------------------------------------------
 
     def observe(self, seen: Seen) -> None:
         """Advance every plan by one observation."""
-        options = options_of(seen)
-        self.mismatches.append({})
+        options, noisy = options_of(seen), self.noise is not None
         level: dict[int, Level] = {}
         edges: dict[int, Edges] = {}
+        self.mismatches.append({})
         for plan, before in self.levels[-1].items():
             matched = self._matched(plan, before, options)
-            advanced = self._advanced(plan, before, matched)
+            advanced = advance(self.charts[plan], before, matched, noisy) if matched or noisy else None
             if advanced:
-                level[plan], edges[plan] = advanced, matched
-        self._weights.append(self._weighed(level, edges, uncertain=options[0][1] != 1.0 or len(options) > 1))
+                edges[plan], level[plan] = matched, advanced
+        self._weights.append(self._weighed(edges, is_certain(seen)))
         self.levels.append(level)
         self._edges.append(edges)
         self.observations.append(seen)
-        self.matcher.observed(options[0][0], certain=len(options) == 1)
+        self.matcher.observed(options[0][0] if is_certain(seen) else Observation(seen.action))
         self._groups = None
 
     def undo(self) -> None:
         """Take back the last observation."""
-        for kept in (self.levels, self._edges, self.observations, self.mismatches, self._weights):
-            kept.pop()  # type: ignore[attr-defined]
+        self.levels.pop()
+        self._edges.pop()
+        self._weights.pop()
+        self.mismatches.pop()
+        self.observations.pop()
         self.matcher.forget()
         self._groups = None
 
@@ -143,25 +138,200 @@ class Counting:
         """A copy that goes its own way; what was counted so far is shared."""
         other = object.__new__(Counting)
         other.__dict__.update(self.__dict__)
-        for name in ("levels", "_edges", "observations", "mismatches", "_weights"):
-            setattr(other, name, list(getattr(self, name)))
         other.matcher = self.matcher.fork()
+        other.levels, other.observations = list(self.levels), list(self.observations)
+        other._edges, other._weights = list(self._edges), list(self._weights)
+        other.mismatches = list(self.mismatches)
         return other
 
-    def _matched(self, plan: int, level: Level, options: Iterable[tuple[object, float]]) -> Edges:
+    def _matched(self, plan: int, level: Level, options: Iterable[tuple[Observation, float]]) -> Edges:
         """What the observation can be, by what was known before."""
-        opened: dict[Binding, int] = {}
-        for closed, *_, binding in sorted(level):
-            opened[binding] = opened.get(binding, 0) | ~closed
-        edges: Edges = {}
+        positions, edges, opened = self._positions[plan], Edges(), dict[Binding, int]()
+        for state in sorted(level, key=lambda state: state[0]):
+            opened[state[5]] = opened.get(state[5], 0) | ~state[0]
         for observation, likelihood in options:
-            for leaf in self._positions[plan].get(observation.action, ()):  # type: ignore[attr-defined]
+            for leaf in positions.get(observation.action, ()):
                 for binding, mask in opened.items():
-                    if not mask >> leaf & 1:
-                        continue
-                    after = self.matcher.match(plan, leaf, observation, binding)  # type: ignore[arg-type]
-                    if isinstance(after, Mismatch):
-                        self._note(plan, after)
-                    else:
-                        edges.setdefault(binding, []).append((leaf, after, likelihood))
+                    if mask >> leaf & 1:
+                        after = self.matcher.match(plan, leaf, observation, binding)
+                        if isinstance(after, Mismatch):
+                            self._note(plan, after)
+                        else:
+                            edges.setdefault(binding, []).append((leaf, after, likelihood))
         return edges
+
+    def _weighed(self, edges: dict[int, Edges], certain: bool) -> dict[int, dict[State, Weight]] | None:
+        before, noisy = self._weights[-1], self.noise is not None
+        if before is None and certain:
+            return None
+        weighed = {}
+        for plan, found in edges.items():
+            weights = before[plan] if before is not None else None
+            weighed[plan] = weigh(self.charts[plan], self.levels[-1][plan], weights, found, noisy)
+        return weighed
+
+    def _note(self, plan: int, mismatch: Mismatch) -> None:
+        self.mismatches[-1].setdefault(plan, {}).update(dict.fromkeys(mismatch.reasons))
+
+    # --- what the counts say ---------------------------------------------------------------------------------------
+
+    @property
+    def explained(self) -> int:
+        """How many observations were taken in."""
+        return len(self.observations)
+
+    def alive(self, level: int) -> set[int]:
+        """The plans with an explanation of the first so many observations; none may take all of them for needless."""
+        return {p for p, states in self.levels[level].items() if any(s[4] < level or not level for s in states)}
+
+    def groups(self) -> list[Group]:
+        """The groups of explanations, heaviest first; equal ones in the order of the library."""
+        if self._groups is None:
+            found = [group for plan in self.levels[-1] for group in self._groups_of(plan)]
+            self._groups = sorted(found, key=lambda g: (-g.weight, g.plan, g.state[0]))
+        return self._groups
+
+    def _groups_of(self, plan: int) -> Iterator[Group]:
+        weights, price = self._weights[-1], self.noise or 1.0
+        for state, number in self.levels[-1][plan].items():
+            _, _, size, missed, needless, _ = state
+            observed = self.explained - needless
+            if observed == 0 < self.explained:
+                continue
+            above, below = self.measure(size, observed, missed)
+            score, ties = above / below if not needless else price**needless * (above / below), number
+            if weights is not None:
+                _, largest, ties = weights[plan][state]
+                score *= largest
+            yield Group(plan, state, number, score, self.priors[plan] * score, ties)
+
+    @property
+    def is_exact(self) -> bool:
+        """Every explanation is counted."""
+        return True
+
+    @property
+    def count(self) -> int:
+        """The exact number of explanations; before the first observation, of plans."""
+        return sum(group.count for group in self.groups())
+
+    def score_sums(self) -> list[float]:
+        """Per plan the sum of the scores of its explanations."""
+        sums = [0.0] * len(self.plans)
+        for plan in self.levels[-1]:
+            sums[plan] = self._score_sum(plan)
+        return sums
+
+    def _score_sum(self, plan: int) -> float:
+        weights, price = self._weights[-1], self.noise or 1.0
+        exact: dict[tuple[int, int], float] = {}  # by (denominator, needless): exact integers, unless weighted
+        for state, number in self.levels[-1][plan].items():
+            _, _, size, missed, needless, _ = state
+            if self.explained > needless or not self.explained:
+                above, below = self.measure(size, self.explained - needless, missed)
+                mass = number if weights is None else weights[plan][state][0]
+                exact[below, needless] = exact.get((below, needless), 0) + mass * above
+        return sum((total / below) * price**needless for (below, needless), total in exact.items())
+
+    def posterior(self) -> dict[str, float]:
+        """Each goal's share of the sum of all scores, weighed by its prior."""
+        return posterior_by(self._labels, [p * s for p, s in zip(self.priors, self.score_sums())])
+
+    def standing(self) -> Standing | None:
+        """The best explanation and its rivals; None when there is none."""
+        groups = self.groups()
+        if not groups:
+            return None
+        top, label = groups[0], self._labels[groups[0].plan]
+        equal = takewhile(lambda group: group.weight == top.weight, groups)
+        rivals = sum(group.ties for group in equal if self._labels[group.plan] != label)
+        return Standing(self.count, label, top.missed, rivals)
+
+    def explanations(self) -> Iterator[Explanation]:
+        """Every explanation, best first, lazily, with its share of all scores."""
+        whole = sum(prior * total for prior, total in zip(self.priors, self.score_sums()))
+        for found in self.stream():
+            leaves = tuple(leaf for leaf in found.marks if leaf != NEEDLESS)
+            needless = tuple(at for at, leaf in enumerate(found.marks) if leaf == NEEDLESS)
+            share = found.weight / whole if whole else 0.0
+            yield Explanation(self.plans[found.plan], leaves, found.binding, found.score, share, needless)
+
+    def ends(self) -> Iterator[tuple[tuple[tuple[int, int, Binding], ...], float]]:
+        """Where explanations end: (plan, mask of closed leaves, binding), and the share of all scores."""
+        whole = sum(prior * total for prior, total in zip(self.priors, self.score_sums()))
+        for group in self.groups():
+            weights = self._weights[-1]
+            mass = group.weight * group.count
+            if weights is not None:
+                total, largest, _ = weights[group.plan][group.state]
+                mass = group.weight / largest * total
+            yield ((group.plan, group.state[0], group.state[5]),), mass / whole if whole else 0.0
+
+    def stream(self) -> Iterator[Found]:
+        """Every explanation, best first, lazily: by weight, then plan, then marked leaves."""
+        bounds: dict[int, float] = {}
+        for group in self.groups():
+            bounds.setdefault(group.plan, group.weight)
+        order = count()
+        heap: list[tuple[float, int, tuple[int, ...], int, Found | None, Iterator[Found]]] = [
+            (-bound, plan, (), next(order), None, self._paths(plan)) for plan, bound in bounds.items()
+        ]
+        heapify(heap)
+        while heap:
+            _, plan, _, _, found, rest = heappop(heap)
+            if found is not None:
+                yield found
+            following = next(rest, None)
+            if following is not None:
+                heappush(heap, (-following.weight, plan, following.marks, next(order), following, rest))
+
+    def _paths(self, plan: int) -> Iterator[Found]:
+        """The explanations of one plan, best first."""
+        price, prior, k = self.noise or 1.0, self.priors[plan], self.explained
+        finals: dict[State, float] = {}
+        for state in self.levels[-1][plan]:
+            _, _, size, missed, needless, _ = state
+            if k > needless or not k:
+                above, below = self.measure(size, k - needless, missed)
+                finals[state] = above / below if not needless else price**needless * (above / below)
+        before: dict[int, dict[State, list[tuple[State, int, float]]]] = {}
+
+        def back(level: int, state: State) -> Iterable[tuple[State, int, float]]:
+            if level not in before:
+                before[level] = self._before(plan, level)
+            return before[level][state]
+
+        for score, marks, state in best_first(finals, back, k):
+            yield Found(plan, marks, state[5], score, prior * score)
+
+    def _before(self, plan: int, level: int) -> dict[State, list[tuple[State, int, float]]]:
+        """For every state of a level, what led to it."""
+        found: dict[State, list[tuple[State, int, float]]] = {}
+        edges = self._edges[level - 1][plan]
+        for state in self.levels[level - 1][plan]:
+            for mark, following, likelihood in successors(self.charts[plan], state, edges, self.noise is not None):
+                found.setdefault(following, []).append((state, mark, likelihood))
+        return found
+
+
+def is_certain(seen: Seen) -> bool:
+    """Whether it was made out what was done."""
+    options = options_of(seen)
+    return len(options) == 1 and options[0][1] == 1.0
+
+
+def positions_of(plan: Plan) -> dict[str, list[int]]:
+    """The leaves of each action name, from left to right."""
+    positions: dict[str, list[int]] = {}
+    for at, leaf in enumerate(plan.leaves):
+        positions.setdefault(leaf.functor, []).append(at)
+    return positions
+
+
+def posterior_by(labels: Iterable[str], sums: Sequence[float]) -> dict[str, float]:
+    """Each label's share of the sums; all zero when nothing explains the observations."""
+    totals: dict[str, float] = {}
+    for label, part in zip(labels, sums):
+        totals[label] = totals.get(label, 0.0) + part
+    whole = sum(totals.values())
+    return {label: total / whole if whole else 0.0 for label, total in totals.items()}

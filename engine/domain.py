@@ -22,7 +22,10 @@ from casper.engine.matching import (
     settle,
 )
 from casper.engine.policy import policy_named
+from casper.engine.priors import priors_of
 from casper.engine.reading import Reading
+from casper.engine.recognisers import Options
+from casper.engine.scoring import score_named
 from casper.kb.base import KnowledgeBase
 from casper.kb.clauses import Clause, Production, Sentence
 from casper.kb.errors import DomainError, PlanError
@@ -84,26 +87,42 @@ class Domain:
                 return str(name)
         return next((str(row[0]) for row in self.kb.rows(kind, 1)), otherwise)
 
-    def reading(self, policy: str = "strict", verification: bool = True) -> Reading:
-        """A fresh reading of the partner.
+    def reading(
+        self,
+        policy: str = "strict",
+        verification: bool = True,
+        noise: float | None = None,
+        goals: int = 1,
+        score: str = "paper",
+        budget: int = 3000,
+    ) -> Reading:
+        """A fresh reading of the partner; with ``noise`` and ``goals`` left alone it is the paper's.
 
         Args:
             policy: ``strict`` or ``best`` (`engine.policy`).
             verification: False sees action names only and never asks the knowledge base about an observation.
+            noise: the factor on a score for each observation that is needless or misread; None: there are none.
+            goals: how many goals the partner may pursue at once.
+            score: the name of a score (`engine.scoring`).
+            budget: how many hypotheses a search for more than two goals keeps.
 
         Raises:
-            CasperError: no such policy. PlanError: the domain has no plans.
+            CasperError: no such policy or score, a price or a number of goals that is none, or priors that do not
+                sum to 1. PlanError: the domain has no plans.
         """
-        if not self.library.plans:
+        if not self.library.ways:
             raise PlanError(f"the domain {self.name} has no plans to explain anything with; add them in plans.pl")
-        return Reading(self.library, self._matcher(verification), policy_named(policy), self.capability)
+        priors = priors_of(self.kb.rows("prior", 2), self.library.goals)
+        options = Options(noise, goals, priors, score_named(score), budget)
+        matcher = self._matcher(verification)
+        return Reading(self.library, matcher, policy_named(policy), self.capability, options)
 
     def _matcher(self, verification: bool) -> Matcher:
         if not verification:
-            return NameMatcher(self.library.plans)
+            return NameMatcher(self.library.ways)
         if not self.verifies:
-            return ParameterMatcher(self.library.plans)
-        return VerifyingMatcher(self.library.plans, self.kb, self.partner)
+            return ParameterMatcher(self.library.ways)
+        return VerifyingMatcher(self.library.ways, self.kb, self.partner)
 
     def capability(self, explanation: Explanation, leaf: int, agent: str) -> tuple[Compound, bool]:
         """A leaf's action with every part filled in that can be, and whether the knowledge base lets the agent do it.
@@ -156,8 +175,8 @@ def build(name: str, folder: Path, sentences: dict[str, list[Sentence]]) -> Doma
     kb.add(_knowledge(everything, verifies))
     written = {s.head.indicator for s in everything if isinstance(s, Clause)}
     derived = [clause for clause in plan_clauses(library) if clause.head.indicator not in written]
-    if library.plans and not library.goal_clauses:
-        kb.add(Clause(Compound(("goal", p.goal if len(p.goal) > 1 else p.goal[0]))) for p in library.plans)
+    if library.ways and not library.goal_clauses:
+        kb.add(Clause(Compound(("goal", p.goal if len(p.goal) > 1 else p.goal[0]))) for p in library.ways)
     kb.add(derived)
     kb.declare_statements((action, arity + 1) for action, arity in library.actions)
     kb.compile()

@@ -114,3 +114,9 @@ def _as_a_whole(folder: Path, read: _Read) -> Iterator[Finding]:
 def _asked_of(domain: Domain) -> Iterator[Finding]:
     if domain.verifies:
         yield from plans_nobody_can_do(domain)
+    try:
+        if domain.library.ways:
+            domain.reading()
+    except CasperError as mistake:  # its priors do not add up
+        stated = [clause.place for clause in domain.kb.clauses_of(("prior", 2))]
+        yield finding_of(mistake, (stated or [Place(str(domain.folder))])[0])

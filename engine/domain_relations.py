@@ -15,7 +15,7 @@ SHARING_NAMES = frozenset(
 )  # fmt: skip
 """Relations of the stages: an ontology may have a furniture/1 beside the scene's furniture/7."""
 
-SYSTEM_RELATIONS = SHARING_NAMES | {("goal", 1), ("human", 1), ("robot", 1)}
+SYSTEM_RELATIONS = SHARING_NAMES | {("goal", 1), ("human", 1), ("robot", 1), ("prior", 2)}
 """Every relation that is asked for by name."""
 
 SECTIONS = ("actions", "agents", "focus", "human", "perception", "plans", "robot", "sensor", "sim", "tracking")

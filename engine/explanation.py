@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 from casper.engine.matching import Binding, bindings_of
 from casper.kb.terms import Compound, as_term, substitute
 from casper.kb.writer import term_text
+from casper.plans.chart import chart_of
 from casper.plans.plan import Plan
-from casper.plans.tree import Status, plan_tree, statuses
+from casper.plans.tree import Status, plan_tree
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -18,10 +19,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Explanation:
-    """A plan with the leaves that were observed.
+    """A plan with the leaves that were observed, in the order of the observations.
 
     ``score`` is the paper's; ``share`` this explanation's part of the sum of all scores (the best one's share is the
-    *confidence*; a goal's shares add up to its *posterior*).
+    *confidence*; a goal's shares add up to its *posterior*). ``needless`` are the numbers, from 0, of the observations
+    that are no part of the plan.
     """
 
     plan: Plan
@@ -29,11 +31,22 @@ class Explanation:
     binding: Binding
     score: float
     share: float
+    needless: tuple[int, ...] = ()
 
     @property
     def goal(self) -> str:
         """The goal's label."""
         return self.plan.label
+
+    @property
+    def goals(self) -> tuple[str, ...]:
+        """The goals pursued: one."""
+        return (self.plan.label,)
+
+    @property
+    def parts(self) -> tuple[Explanation, ...]:
+        """The goals pursued, each with its own marks: one."""
+        return (self,)
 
     @cached_property
     def leaves(self) -> tuple[Compound, ...]:
@@ -44,7 +57,25 @@ class Explanation:
     @cached_property
     def status(self) -> tuple[Status, ...]:
         """The status of every leaf."""
-        return statuses(len(self.plan.leaves), self.marks)
+        chart = chart_of(self.plan)
+        progress, belongs = chart.start, 0
+        for leaf in self.marks:
+            progress = chart.close(progress, leaf)
+            belongs |= chart.inside[leaf]
+        closed = progress[0]
+        belongs = chart.belonging(belongs)
+        return tuple(
+            "observed" if leaf in self.marks
+            else "unobserved" if not closed >> leaf & 1
+            else "missed" if belongs >> leaf & 1
+            else "skipped"
+            for leaf in range(chart.leaves)
+        )  # fmt: skip
+
+    @property
+    def open_leaves(self) -> tuple[int, ...]:
+        """The numbers of the leaves that are yet to be done; where the plan leaves the order open, in one that fits."""
+        return tuple(leaf for leaf, status in enumerate(self.status) if status == "unobserved")
 
     @property
     def missed(self) -> int:
@@ -54,8 +85,7 @@ class Explanation:
     @property
     def frontier(self) -> tuple[Compound, ...]:
         """The ordered unobserved leaves: what is yet to be done (paper section III-G)."""
-        last = max(self.marks, default=-1)
-        return self.leaves[last + 1 :]
+        return tuple(self.leaves[leaf] for leaf in self.open_leaves)
 
     def tree(self) -> nx.DiGraph:
         """The marked tree (attributes: `casper.plans.tree`)."""
@@ -66,4 +96,69 @@ class Explanation:
         """The design's entry of ``best``."""
         pairs = zip(self.leaves, self.status)
         leaves = [{"action": term_text(as_term(leaf)), "status": status} for leaf, status in pairs]
-        return {"goal": self.goal, "share": self.share, "score": self.score, "leaves": leaves}
+        told = {"goal": self.goal, "share": self.share, "score": self.score, "leaves": leaves}
+        return {**told, "needless": [at + 1 for at in self.needless]} if self.needless else told
+
+
+@dataclass(frozen=True)
+class Interleaved:
+    """Several goals pursued at once: one explanation for each, which together take every observation but the needless.
+
+    ``score`` is the paper's, over the leaves of all of them.
+    """
+
+    parts: tuple[Explanation, ...]
+    score: float
+    share: float
+    needless: tuple[int, ...] = ()
+
+    @property
+    def goals(self) -> tuple[str, ...]:
+        """The labels of the goals, in the order of the library."""
+        return tuple(part.goal for part in self.parts)
+
+    @property
+    def goal(self) -> str:
+        """The goals as one label."""
+        return " + ".join(self.goals)
+
+    @property
+    def marks(self) -> tuple[int, ...]:
+        """The observed leaves, numbered through all the parts."""
+        return tuple(offset + leaf for offset, part in self._offsets() for leaf in part.marks)
+
+    @property
+    def open_leaves(self) -> tuple[int, ...]:
+        """The leaves that are yet to be done, numbered through all the parts."""
+        return tuple(offset + leaf for offset, part in self._offsets() for leaf in part.open_leaves)
+
+    def _offsets(self) -> list[tuple[int, Explanation]]:
+        offsets = [sum(len(part.leaves) for part in self.parts[:at]) for at in range(len(self.parts))]
+        return list(zip(offsets, self.parts))
+
+    @property
+    def leaves(self) -> tuple[Compound, ...]:
+        """The actions of all the plans, one plan after the other."""
+        return tuple(leaf for part in self.parts for leaf in part.leaves)
+
+    @property
+    def status(self) -> tuple[Status, ...]:
+        """The status of every leaf."""
+        return tuple(status for part in self.parts for status in part.status)
+
+    @property
+    def missed(self) -> int:
+        """How many leaves were missed."""
+        return sum(part.missed for part in self.parts)
+
+    @property
+    def frontier(self) -> tuple[Compound, ...]:
+        """What is yet to be done, one plan after the other."""
+        return tuple(leaf for part in self.parts for leaf in part.frontier)
+
+    def to_json(self) -> dict[str, Any]:
+        """The design's entry of ``best``, with the goals pursued."""
+        pairs = zip(self.leaves, self.status)
+        leaves = [{"action": term_text(as_term(leaf)), "status": status} for leaf, status in pairs]
+        told = {"goal": self.goal, "goals": list(self.goals), "share": self.share, "score": self.score}
+        return {**told, "leaves": leaves, **({"needless": [at + 1 for at in self.needless]} if self.needless else {})}

@@ -42,6 +42,9 @@ class Matcher(Protocol):
     def forget(self) -> None:
         """Told when the last observation is taken back."""
 
+    def fork(self) -> Matcher:
+        """One that goes on from here on its own."""
+
 
 class NameMatcher:
     """Action names only: no parameters, no knowledge base (``--no-verification``)."""
@@ -62,6 +65,10 @@ class NameMatcher:
 
     def forget(self) -> None:
         """Nothing depends on the past."""
+
+    def fork(self) -> Matcher:
+        """Nothing depends on the past."""
+        return self
 
 
 class ParameterMatcher:
@@ -91,6 +98,10 @@ class ParameterMatcher:
 
     def forget(self) -> None:
         """Nothing depends on the past."""
+
+    def fork(self) -> Matcher:
+        """Nothing depends on the past."""
+        return self
 
 
 class VerifyingMatcher(ParameterMatcher):
@@ -132,6 +143,13 @@ class VerifyingMatcher(ParameterMatcher):
         """Take the last observation out of the history."""
         self._histories.pop()
         self._verdicts.clear()
+
+    def fork(self) -> Matcher:
+        """One with the same past; what was settled of the goals is shared."""
+        other = object.__new__(VerifyingMatcher)
+        other.__dict__.update(self.__dict__)
+        other._histories, other._verdicts = list(self._histories), dict(self._verdicts)
+        return other
 
     def _verdict(self, statement: Compound) -> Mismatch | None:
         if statement not in self._verdicts:

@@ -79,11 +79,13 @@ def seen_of(observed: Observed, actions: Iterable[tuple[str, int]]) -> Seen:
         likelihoods[seen] = likelihoods.get(seen, 0.0) + likelihood
     total = math.fsum(likelihoods.values())
     if not 0 < total <= 1 + 1e-9:
-        raise CasperError(f"the likelihoods of an uncertain action sum to {total:g}: at most 1, and at least one of them")
+        raise CasperError(f"the likelihoods of an uncertain action must sum to at most 1, not {total:g}")
     return Uncertain(tuple(likelihoods.items()))
 
 
-def observation_of(observed: str | Compound | tuple[Term, ...] | Observation, actions: Iterable[tuple[str, int]]) -> Observation:
+def observation_of(
+    observed: str | Compound | tuple[Term, ...] | Observation, actions: Iterable[tuple[str, int]]
+) -> Observation:
     """Make an observation of text (``eat`` or ``eat(biscuits, plate)``), a term, or an observation.
 
     Args:

@@ -8,16 +8,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any
 
 from casper.engine.collaboration import Capability, CollaborativePlan, collaborative_plan
-from casper.engine.counting import Counting, posterior_by
-from casper.engine.explanation import Explanation
+from casper.engine.explanation import Explanation, Interleaved
 from casper.engine.matching import Matcher
-from casper.engine.observation import Observation, Observed, observation_of
-from casper.engine.policy import Policy, Standing, strict
+from casper.engine.observation import Observed, Seen, Uncertain, options_of, seen_of
+from casper.engine.outlook import Outlook, Question
+from casper.engine.pairs import Pairs
+from casper.engine.policy import Policy, strict
+from casper.engine.recognisers import PAPER, Options, Recogniser, recogniser
+from casper.engine.replay import Replay
 from casper.kb.errors import CasperError
 from casper.kb.terms import Compound, as_term
 from casper.kb.writer import term_text
@@ -32,6 +35,10 @@ class Reading:
         matcher: what can be taken for what (`engine.matching`); verification lives there.
         policy: when to commit to a goal.
         capability: what an agent can do of a plan's leaves; by default nobody can do anything.
+        options: noise, several goals, priors, other scores; everything is off by default.
+
+    Raises:
+        CasperError: options that make no sense.
     """
 
     def __init__(
@@ -40,27 +47,51 @@ class Reading:
         matcher: Matcher,
         policy: Policy = strict,
         capability: Capability = lambda explanation, leaf, agent: (explanation.leaves[leaf], False),
+        options: Options = PAPER,
     ) -> None:
         self.library, self.policy = library, policy
         self._actions = list(library.actions)
         self._capability = capability
-        self._counting = Counting(library.plans, matcher)
-        self._rejected: list[dict[str, tuple[str, ...]]] = [{}]  # after each observation
-        self._rejected[0] = self._reject(None)
+        self._engine: Recogniser = recogniser(library.ways, matcher, options)
+        self._read: dict[str, Seen] = {}  # texts that were observed before
+        self._numbers: dict[str, list[int]] = {}  # each goal's plans
+        for number, plan in enumerate(library.ways):
+            self._numbers.setdefault(plan.label, []).append(number)
+        self._rejected: list[dict[str, tuple[str, ...]]] = []  # after each observation, as far as anybody asked
 
     # --- observing -------------------------------------------------------------------------------------------------
 
     def observe(self, observed: Observed) -> None:
         """Take in one action of the partner: ``"eat"`` or ``"eat(biscuits, plate)"``.
 
+        What was not made out for sure is a mapping of what it may be to likelihoods: ``{"eat": 0.7, "sip": 0.2}``.
         An observation that fits no plan leaves zero explanations; `undo` goes back to where the reading was.
 
         Raises:
             ReadError, PlanError: the text is no action, or no plan has it.
+            CasperError: likelihoods that are none.
         """
-        observation = observation_of(observed, self._actions)
-        self._counting.observe(observation)
-        self._rejected.append(self._reject(observation))
+        seen = self._seen(observed)
+        if isinstance(seen, Uncertain) and isinstance(self._engine, Replay):
+            self._engine = self._engine.counting()
+        elif isinstance(seen, Uncertain) and isinstance(self._engine, Pairs):
+            self._engine = self._engine.interleaving()
+        self._engine.observe(seen)
+
+    def _seen(self, observed: Observed) -> Seen:
+        if not isinstance(observed, str):
+            return seen_of(observed, self._actions)
+        seen = self._read.get(observed)
+        if seen is None:
+            seen = self._read[observed] = seen_of(observed, self._actions)
+        return seen
+
+    def fork(self) -> Reading:
+        """A reading that goes its own way from here: "what if the next is …". What was counted so far is shared."""
+        other = object.__new__(Reading)
+        other.__dict__.update(self.__dict__)
+        other._engine, other._rejected = self._engine.fork(), list(self._rejected)
+        return other
 
     def undo(self) -> None:
         """Take back the last observation.
@@ -68,27 +99,27 @@ class Reading:
         Raises:
             CasperError: there is none.
         """
-        if not self._counting.observations:
+        if not self._engine.observations:
             raise CasperError("there is no observation to take back")
-        self._counting.undo()
-        self._rejected.pop()
+        self._engine.undo()
+        del self._rejected[len(self._engine.observations) + 1 :]
 
     @property
-    def observations(self) -> Sequence[Observation]:
+    def observations(self) -> Sequence[Seen]:
         """What was observed, in order."""
-        return tuple(self._counting.observations)
+        return tuple(self._engine.observations)
 
     # --- what it says ----------------------------------------------------------------------------------------------
 
     @property
     def count(self) -> int:
         """The exact number of explanations."""
-        return self._counting.count if self.observations else 0
+        return self._engine.count if self.observations else 0
 
     @property
-    def posterior(self) -> dict[str, float]:
+    def posterior(self) -> Mapping[str, float]:
         """Each goal's share of the sum of all scores; before anything is seen, and after nonsense, all zero."""
-        return posterior_by((plan.label for plan in self.library.plans), self._counting.score_sums())
+        return self._engine.posterior()
 
     @property
     def confidence(self) -> float:
@@ -99,25 +130,19 @@ class Reading:
     @property
     def outcome(self) -> str | None:
         """The goal the policy commits to, or None."""
-        groups = self._counting.groups()
-        if not self.observations or not groups:
-            return None
-        plans, top = self.library.plans, groups[0]
-        label = plans[top.plan].label
-        rivals = sum(g.count for g in groups if g.score == top.score and plans[g.plan].label != label)
-        missed = top.last + 1 - len(self.observations)
-        return self.policy(Standing(self.count, label, missed, rivals))
+        standing = self._engine.standing() if self.observations else None
+        return None if standing is None else self.policy(standing)
 
-    def explanations(self) -> Iterator[Explanation]:
+    def explanations(self) -> Iterator[Explanation | Interleaved]:
         """Every explanation, best first, lazily."""
-        if not self.observations:
-            return
-        whole = sum(self._counting.score_sums())
-        for group, (marks, binding) in self._counting.stream():
-            share = group.score / whole if whole else 0.0
-            yield Explanation(self.library.plans[group.plan], marks, binding, group.score, share)
+        return self._engine.explanations() if self.observations else iter(())
 
-    def best(self, count: int = 1) -> list[Explanation]:
+    @property
+    def is_exact(self) -> bool:
+        """Whether every explanation was counted; with more than two goals at once a search may hold lower bounds."""
+        return self._engine.is_exact
+
+    def best(self, count: int = 1) -> list[Explanation | Interleaved]:
         """The best few explanations."""
         return list(islice(self.explanations(), count))
 
@@ -130,48 +155,83 @@ class Reading:
     @property
     def rejected(self) -> dict[str, tuple[str, ...]]:
         """Every goal that explains nothing any more, with the reasons why."""
+        for level in range(len(self._rejected), len(self.observations) + 1):
+            self._rejected.append(self._reject(level))
         return self._rejected[-1]
 
-    def plan_for(self, agent: str, explanation: Explanation | None = None) -> CollaborativePlan | None:
-        """What the agent can do for the goal of the best explanation; None when there is none to help with."""
+    def plan_for(self, agent: str, explanation: Explanation | Interleaved | None = None) -> CollaborativePlan | None:
+        """What the agent can do for the goal of the best explanation; None when there is none to help with.
+
+        Of several goals pursued at once it helps with the one of which it can do most.
+        """
         chosen = explanation or next(self.explanations(), None)
-        return None if chosen is None else collaborative_plan(agent, chosen, self._capability)
+        if chosen is None:
+            return None
+        plans = [collaborative_plan(agent, part, self._capability) for part in chosen.parts]
+        return max(plans, key=lambda plan: len(plan.actions))
+
+    # --- what is likely to come ------------------------------------------------------------------------------------
+
+    @property
+    def next_actions(self) -> dict[str | None, float]:
+        """The probability of each action to be the next step; None: the plan is complete."""
+        return self._outlook.next_actions() if self.observations else {}
+
+    @property
+    def frontiers(self) -> dict[tuple[Compound, ...], float]:
+        """The probability of each frontier, over all explanations."""
+        return self._outlook.frontiers() if self.observations else {}
+
+    def plans_for(self, agent: str) -> dict[CollaborativePlan, float]:
+        """The probability of each collaborative plan of the agent, over all explanations."""
+        return self._outlook.collaborative_plans(agent, self._capability) if self.observations else {}
+
+    def questions(self) -> list[Question]:
+        """What to find out, most telling first: is it this goal, is this step still to come, is this the next one?"""
+        return self._outlook.questions() if self.observations else []
+
+    @property
+    def _outlook(self) -> Outlook:
+        return Outlook(self.library.ways, self._engine)
 
     def to_json(self, top: int = 3) -> dict[str, Any]:
         """The design's object for ``casper explain --json``."""
         best = self.best(max(top, 1))
+        bound: dict[str, Any] = {} if self.is_exact else {"exact": False}
         return {
             "observations": [str(observation) for observation in self.observations],
             "explanations": self.count,
             "confidence": best[0].share if best else 0.0,
             "outcome": self.outcome,
-            "posterior": self.posterior,
+            "posterior": dict(self.posterior),
             "best": [explanation.to_json() for explanation in best[:top]],
             "frontier": [term_text(as_term(action)) for action in (best[0].frontier if best else ())],
             "rejected": [{"goal": goal, "reasons": list(reasons)} for goal, reasons in self.rejected.items()],
+            **bound,
         }
 
     # --- why not ---------------------------------------------------------------------------------------------------
 
-    def _reject(self, observation: Observation | None) -> dict[str, tuple[str, ...]]:
+    def _reject(self, level: int) -> dict[str, tuple[str, ...]]:
         """The goals without an explanation: those that fell earlier keep their reasons, new ones get theirs."""
-        plans, levels = self.library.plans, self._counting.levels[-1]
-        alive = {plan.label for plan, level in zip(plans, levels) if level}
-        before = self._rejected[-1]
+        plans = self.library.ways
+        alive = {plans[number].label for number in self._engine.alive(level)}
+        before = self._rejected[level - 1] if level else {}
         rejected: dict[str, tuple[str, ...]] = {}
-        for label in dict.fromkeys(plan.label for plan in plans):
+        for label in self._numbers:
             if label not in alive:
-                rejected[label] = before.get(label) or self._reasons(label, observation)
+                rejected[label] = before.get(label) or self._reasons(label, level)
         return rejected
 
-    def _reasons(self, label: str, observation: Observation | None) -> tuple[str, ...]:
+    def _reasons(self, label: str, level: int) -> tuple[str, ...]:
         found: dict[str, None] = {}
-        for number, plan in enumerate(self.library.plans):
-            if plan.label == label:
-                found.update(self._counting.mismatches.get(number, {}))
-        if found or observation is None:
+        plans, mismatches = self.library.ways, self._engine.mismatches[level]
+        for number in self._numbers[label] if mismatches else ():
+            found.update(mismatches.get(number, {}))
+        if found or not level:
             return tuple(found)
-        names = {leaf.functor for plan in self.library.plans if plan.label == label for leaf in plan.leaves}
-        if observation.action not in names:
-            return (f"{label} has no {observation.action}",)
-        return (f"no {observation.action} is left in {label} after what was observed",)
+        names = {leaf.functor for number in self._numbers[label] for leaf in plans[number].leaves}
+        actions = [option.action for option, _ in options_of(self.observations[level - 1])]
+        if not names.intersection(actions):
+            return (f"{label} has no {' or '.join(actions)}",)
+        return (f"no {' or '.join(actions)} is left in {label} after what was observed",)

@@ -16,7 +16,9 @@ from dataclasses import dataclass
 from casper.engine.domain import FILES, Domain
 from casper.engine.domain_relations import SHARING_NAMES
 from casper.engine.mind import Mind
+from casper.engine.observation import Seen
 from casper.engine.reading import Reading
+from casper.engine.supervisor import Commitment
 from casper.engine.verification import Verifier
 from casper.kb.errors import CasperError
 from casper.kb.sources import fingerprint
@@ -60,8 +62,14 @@ def carried_over(
         domain: what they are read with now.
         policy, verification: as for `Domain.reading`.
     """
-    fresh, dropped = domain.reading(policy, verification), []
-    for observation in reading.observations:
+    fresh = domain.reading(policy, verification)
+    return fresh, tuple(_replayed(reading.observations, fresh))
+
+
+def _replayed(observations: Sequence[Seen], fresh: Reading) -> list[Dropped]:
+    """Take the observations in as far as they fit; those that do not."""
+    dropped = []
+    for observation in observations:
         try:
             fresh.observe(observation)
         except CasperError as mistake:
@@ -71,7 +79,7 @@ def carried_over(
             reasons = tuple(f"{goal}: {', '.join(why)}" for goal, why in fresh.rejected.items())
             fresh.undo()
             dropped.append(Dropped(str(observation), reasons))
-    return fresh, tuple(dropped)
+    return dropped
 
 
 def renewed(mind: Mind, domain: Domain) -> tuple[Mind, tuple[Dropped, ...]]:
@@ -85,15 +93,22 @@ def renewed(mind: Mind, domain: Domain) -> tuple[Mind, tuple[Dropped, ...]]:
     """
     fresh = Mind(domain, verification=mind.verification, policy=mind.policy, helps=mind.helps)
     _keep_perception(mind, fresh)
-    fresh.reading, dropped = carried_over(mind.reading, domain, mind.policy, mind.verification)
-    fresh.supervisor.reading = fresh.reading
-    made = mind.supervisor.commitment
-    if made is not None and fresh.reading.outcome == made.goal:  # another goal is told at the next observation
-        for _ in fresh.supervisor.update(made.t):
-            pass
+    made, observations = mind.supervisor.commitment, mind.reading.observations
+    before = 0 if made is None else len(made.explanation.marks)  # the commitment was made after so many observations
+    dropped = _replayed(observations[:before], fresh.reading)
+    _keep_commitment(made, fresh)
+    dropped += _replayed(observations[before:], fresh.reading)
+    _keep_commitment(made, fresh)
     refused = _keep_history(mind.verifier, fresh.verifier)
     known = {d.observed for d in dropped}
     return fresh, (*dropped, *(d for d in refused if d.observed not in known))
+
+
+def _keep_commitment(made: Commitment | None, fresh: Mind) -> None:
+    """Believe in the same goal since the same time; another goal is for the next observation to tell."""
+    if made is not None and fresh.reading.outcome == made.goal:
+        for _ in fresh.supervisor.update(made.t):
+            pass
 
 
 def _keep_perception(mind: Mind, fresh: Mind) -> None:

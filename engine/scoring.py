@@ -28,7 +28,7 @@ def coverage(leaves: int, observed: int, missed: int) -> tuple[int, int]:
 
 
 def diligence(leaves: int, observed: int, missed: int) -> tuple[int, int]:
-    """The share of what should have been done by now that was observed: long plans do not suffer for what is to come."""
+    """The share of what should be done by now that was observed: what is to come costs nothing."""
     return observed, observed + missed
 
 

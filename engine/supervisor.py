@@ -64,7 +64,7 @@ class Supervisor:
         }
 
     def _best_of(self, goal: str) -> Explanation | None:
-        return next((e for e in self.reading.explanations() if e.goal == goal), None)
+        return next((p for e in self.reading.explanations() for p in e.parts if p.goal == goal), None)
 
     def _commit(self, goal: str, t: float) -> Iterator[Event]:
         explanation = self._best_of(goal)

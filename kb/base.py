@@ -266,18 +266,11 @@ class KnowledgeBase:
 
     def repair(self, statement: Statement, history: History = _EMPTY, limit: int = 3) -> list[Repair]:
         """The smallest changes of base facts that make the statement valid; none for one that is, or beyond mending."""
-        atom = self._statement(statement)
-        refusal = self.why_not(atom, history)
-        if refusal is None:
-            return []
-        standing = {v.sentence for v in self._model.constraints.always}
+        return repairs(self, self._statement(statement), history, limit)
 
-        def works(candidate: Repair) -> bool:
-            changed = self.changed(candidate)
-            broken = {v.sentence for v in changed._model.constraints.always}
-            return broken <= standing and changed.verify(atom, history).valid is True
-
-        return repairs(self, refusal, works, limit)
+    def broken(self) -> Sequence[Violation]:
+        """The constraints that the facts alone break."""
+        return self._model.constraints.always
 
     def changed(self, repair: Repair) -> KnowledgeBase:
         """A copy of the knowledge base with facts added and removed; this one stays as it is."""

@@ -1,8 +1,8 @@
 """Least proof heights: the round of every row if all strata were evaluated at once.
 
 Within one stratum the fixpoint's own rounds are the least heights. Across strata, and after changes, they are not: a
-row of a higher stratum may have a shorter proof than its round says. With the model known, negations are settled, so one
-fixpoint over all rules gives every row its least height.
+row of a higher stratum may have a shorter proof than its round says. With the model known, negations are settled, so
+one fixpoint over all rules gives every row its least height.
 """
 
 from __future__ import annotations

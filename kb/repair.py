@@ -1,29 +1,32 @@
-"""Repairs: the fewest base facts whose addition or removal would make a statement valid, each one tried out.
+"""Repairs: the smallest sets of base facts whose addition or removal would make a statement valid.
 
-A candidate comes from what `kb.why_not` names: a failing condition is mended by adding a fact (through rules, by what
-the rule needs), a failing negation or a broken constraint by removing one. Only candidates that really make the
-statement valid, and break no constraint that held before, are returned.
+A best-first search over sets of changes, smallest sets first, each tried out on an overlay. While a set does not do, it
+grows by one fact that takes away one obstacle: a failing condition needs a fact (through rules, what the rule needs), a
+failing negation or a broken constraint needs one fact gone (or one there) of those it rests on. Every repair must
+take that obstacle away somehow, so no smaller set is missed, up to what cannot be settled by one ground fact.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+import heapq
+from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import islice, product
 from typing import TYPE_CHECKING
 
 from casper.kb.clauses import Literal
 from casper.kb.program import SYSTEM
-from casper.kb.proof import facts_of
+from casper.kb.proof import Proof
 from casper.kb.terms import Compound, as_term, is_ground
-from casper.kb.why_not import Refusal, attempts
+from casper.kb.why_not import Refusal, Violation, attempts
 from casper.kb.writer import term_text
 
 if TYPE_CHECKING:
     from casper.kb.base import KnowledgeBase
+    from casper.kb.validity import History
 
-MOST_CANDIDATES = 60
-DEEPEST = 4  # rules between a condition and the base fact that would mend it
+MOST_TRIED = 150  # sets of changes tried out before the search gives up
+LARGEST = 6  # facts in a set
+DEEPEST = 6  # rules between a condition and the base fact that would mend it
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,79 +57,81 @@ class Repair:
         return " and ".join(parts)
 
 
-def repairs(base: KnowledgeBase, refusal: Refusal, works: Callable[[Repair], bool], limit: int = 3) -> list[Repair]:
-    """The smallest repairs of a refused statement, smallest first, those that remove nothing before others."""
-    found = {c for c in islice(_candidates(base, refusal), MOST_CANDIDATES) if c.size}
-    ranked = sorted(found, key=lambda r: (r.size, len(r.remove), str(r)))
-    working: list[Repair] = []
-    for candidate in ranked:
-        if len(working) >= limit or (working and candidate.size > working[0].size):
+def repairs(base: KnowledgeBase, statement: Compound, history: History, limit: int = 3) -> list[Repair]:
+    """The smallest repairs of a statement that is not valid: at most ``limit`` sets, all of one size.
+
+    Sets that remove nothing come before others of their size. None when the statement is valid, or beyond mending.
+    """
+    standing = {v.sentence for v in base.broken()}
+    waiting = [(0, 0, "", Repair())]
+    seen, found, tried = {Repair()}, list[Repair](), 0
+    while waiting and tried < MOST_TRIED:
+        size, _, _, repair = heapq.heappop(waiting)
+        if len(found) >= limit or (found and size > found[0].size):
             break
-        if works(candidate):
-            working.append(candidate)
-    return working
+        tried += 1
+        changed = base.changed(repair)
+        refusal = changed.why_not(statement, history)
+        clashes = [v for v in changed.broken() if v.sentence not in standing]
+        if refusal is None and not clashes:
+            if size:
+                found.append(repair)
+            continue
+        for step in _steps(changed, refusal, clashes) if size < LARGEST else ():
+            grown = repair.joined(step)
+            if grown not in seen and not grown.add & grown.remove:
+                seen.add(grown)
+                heapq.heappush(waiting, (grown.size, len(grown.remove), str(grown), grown))
+    return found
 
 
-def _candidates(base: KnowledgeBase, refusal: Refusal) -> Iterator[Repair]:
-    """Ways to make the statement provable, each with ways to end every clash."""
-    clashes = [list(_unclash(base, violation.clash)) for violation in refusal.violations]
-    for proof in _provable(base, refusal):
-        yield from (proof.joined(_joined(choice)) for choice in product(*clashes))
-
-
-def _provable(base: KnowledgeBase, refusal: Refusal) -> Iterator[Repair]:
-    if refusal.undefined:
-        return
-    if refusal.provable:
-        yield Repair()
-        return
-    if not any(c.body for c in base.clauses_of(refusal.statement.indicator)):
+def _steps(base: KnowledgeBase, refusal: Refusal | None, clashes: list[Violation]) -> Iterator[Repair]:
+    """Changes of one fact that take the first obstacle away: a clash of the facts, else what the refusal names."""
+    if clashes:
+        yield from _unclash(base, clashes[0])
+    elif refusal is not None and refusal.provable and refusal.violations:
+        yield from _unclash(base, refusal.violations[0])
+    elif refusal is not None and not refusal.undefined:
         yield from _mend(base, Literal(refusal.statement), DEEPEST)
-    for attempt in sorted(refusal.attempts, key=lambda a: len(a.failed)):
-        yield from _all_of(base, attempt.failed, DEEPEST)
-
-
-def _all_of(base: KnowledgeBase, failed: Iterable[Literal], depth: int) -> Iterator[Repair]:
-    """Ways to make all of an attempt's failing conditions hold; none where they are not known."""
-    ways = [list(_mend(base, literal, depth)) for literal in failed] or [[]]
-    return (_joined(choice) for choice in product(*ways))
-
-
-def _joined(choice: Iterable[Repair]) -> Repair:
-    whole = Repair()
-    for part in choice:
-        whole = whole.joined(part)
-    return whole
 
 
 def _mend(base: KnowledgeBase, literal: Literal, depth: int) -> Iterator[Repair]:
-    """Ways to make one failing condition hold."""
+    """Changes of one fact towards making a failing condition hold: each clause's first failing condition."""
     atom = literal.atom
     if literal.is_comparison or not is_ground(atom) or atom.indicator in SYSTEM or depth == 0:
         return
     if literal.negated:
-        yield from _remove(base, atom)
+        yield from _shake(base, atom)
         return
-    rules = [c for c in base.clauses_of(atom.indicator) if c.body]
+    clauses = base.clauses_of(atom.indicator)
+    rules = [c for c in clauses if c.body]
     if not rules:
         yield Repair(add=frozenset({atom}))
     for attempt in attempts(atom, rules, base.solver()):
-        yield from _all_of(base, attempt.failed, depth - 1)
+        if attempt.failed:
+            yield from _mend(base, attempt.failed[0], depth - 1)
 
 
-def _unclash(base: KnowledgeBase, clash: Iterable[Literal]) -> Iterator[Repair]:
-    """Ways to end a clash: remove a fact it rests on, or add one whose absence it rests on."""
-    for literal in clash:
+def _unclash(base: KnowledgeBase, violation: Violation) -> Iterator[Repair]:
+    """Changes of one fact towards ending a clash: against any of its conditions."""
+    for literal in violation.clash:
         if literal.is_comparison or literal.atom.indicator in SYSTEM:
             continue
         if literal.negated:
             yield from _mend(base, Literal(literal.atom), DEEPEST)
         else:
-            yield from _remove(base, literal.atom)
+            yield from _shake(base, literal.atom)
 
 
-def _remove(base: KnowledgeBase, atom: Compound) -> Iterator[Repair]:
-    """Ways to make what holds fail: remove one of the facts that its proof rests on."""
+def _shake(base: KnowledgeBase, atom: Compound) -> Iterator[Repair]:
+    """Changes of one fact that take a proof of the atom apart: a given fact gone, or one there that it needs absent."""
     proof = base.why(atom) if is_ground(atom) else None
-    for fact in dict.fromkeys(facts_of(proof)) if proof is not None else ():
-        yield Repair(remove=frozenset({fact}))
+    for node in proof.premises_first() if proof is not None else ():
+        if _is_given(node):
+            yield Repair(remove=frozenset({node.fact}))
+        elif node.literal.negated and not node.literal.is_comparison:
+            yield from _mend(base, Literal(node.fact), DEEPEST)
+
+
+def _is_given(node: Proof) -> bool:
+    return node.clause is not None and not node.clause.body

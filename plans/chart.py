@@ -1,14 +1,17 @@
 """Charts: what a plan's shapes mean for its leaves, as bit masks (bit j = leaf j, in the order of ``plan.leaves``).
 
-Observing a leaf *closes* it and every leaf that the plan puts before it. A chart keeps, for every leaf, what comes
-before it; and for every optional part, its leaves: they belong to the plan once one of them was observed, and not
-before. A plan without shapes has one chart to each length: leaf j comes after 0 … j-1, and all leaves belong to it.
+Observing a leaf *closes* it and every leaf that the plan puts before it; and where it stands in one of several items
+that may come in any order, what is left of another item that was begun: items are done one after the other, in whatever
+order. So a chart keeps, for every leaf, what comes before it and the items beside it; and for every optional part, its
+leaves: they belong to the plan once one of them was observed, and not before. Plans without shapes share one chart for
+each length: leaf j comes after 0 … j-1, and all leaves belong.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TypeAlias
 
 from casper.plans.plan import Action, Node, Plan, Shape, is_plain
@@ -29,17 +32,26 @@ class Part:
 class Chart:
     """The order and the optional parts of a plan's leaves.
 
-    ``before[j]`` are the leaves that come before leaf j, ``parts`` the optional parts, ``inside[j]`` (a mask over
-    parts) those that leaf j stands in, ``mandatory`` the leaves that stand in none.
+    ``before[j]`` are the leaves that come before leaf j, ``beside[j]`` the items of several leaves that may come before
+    or after the one that j stands in, ``parts`` the optional parts, ``inside[j]`` (a mask over parts) those that leaf j
+    stands in, ``mandatory`` the leaves that stand in none.
     """
 
     leaves: int
     before: tuple[int, ...]
+    beside: tuple[tuple[int, ...], ...]
     parts: tuple[Part, ...]
     inside: tuple[int, ...]
     mandatory: int
     _belongs: dict[int, int] = field(default_factory=dict, compare=False)
     _closings: dict[tuple[int, int, int], Progress] = field(default_factory=dict, compare=False)
+
+    @cached_property
+    def is_chain(self) -> bool:
+        """Whether each leaf simply comes after the one before, and none is optional."""
+        if self.parts or any(self.beside):
+            return False
+        return all(mask == (1 << j) - 1 for j, mask in enumerate(self.before))
 
     @property
     def start(self) -> Progress:
@@ -57,7 +69,11 @@ class Chart:
 
     def _closing(self, closed: int, entered: int, leaf: int) -> Progress:
         """New masks, and how many leaves join the plan and are missed by it."""
-        newly = (self.before[leaf] | 1 << leaf) & ~closed
+        newly = self.before[leaf] | 1 << leaf
+        for item in self.beside[leaf]:
+            if item & closed:
+                newly |= item
+        newly &= ~closed
         joined = self.inside[leaf] & ~entered
         entered |= joined
         belongs = self.belonging(entered)
@@ -65,6 +81,21 @@ class Chart:
         closed |= newly
         still_open = sum(1 << at for at, part in enumerate(self.parts) if entered >> at & 1 and part.leaves & ~closed)
         return (closed, still_open, larger, (newly & belongs).bit_count() - 1)
+
+    def directly_before(self, leaf: int) -> list[int]:
+        """The leaves that must come before this one, but for those that must come before another of them."""
+        earlier = self.before[leaf]
+        covered = _union(self.before[j] for j in range(self.leaves) if earlier >> j & 1)
+        return [j for j in range(self.leaves) if (earlier & ~covered) >> j & 1]
+
+    def entered(self, closed: int) -> int:
+        """The optional parts that were entered and are still open: those that are closed in part."""
+        return _union(1 << at for at, p in enumerate(self.parts) if p.leaves & closed and p.leaves & ~closed)
+
+    def next_leaves(self, closed: int) -> list[int]:
+        """The leaves that may be done next without missing any."""
+        progress = (closed, self.entered(closed), 0, 0)
+        return [j for j in range(self.leaves) if not closed >> j & 1 and not self.close(progress, j)[3]]
 
     def belonging(self, entered: int) -> int:
         """The leaves of the plan when these optional parts were entered."""
@@ -88,12 +119,14 @@ def chart_of(plan: Plan) -> Chart:
         return _drawn(plan, leaves)
     if leaves not in _CHAINS:
         everything = (1 << leaves) - 1
-        _CHAINS[leaves] = Chart(leaves, tuple((1 << j) - 1 for j in range(leaves)), (), (0,) * leaves, everything)
+        before = tuple((1 << j) - 1 for j in range(leaves))
+        _CHAINS[leaves] = Chart(leaves, before, ((),) * leaves, (), (0,) * leaves, everything)
     return _CHAINS[leaves]
 
 
 def _drawn(plan: Plan, leaves: int) -> Chart:
     before, inside = [0] * leaves, [0] * leaves
+    beside: list[tuple[int, ...]] = [()] * leaves
     spans: list[int] = []  # the leaves of every optional part
     count = 0
 
@@ -113,6 +146,11 @@ def _drawn(plan: Plan, leaves: int) -> Chart:
         needs = _needs(node)
         for at, child in enumerate(node.children):
             masks.append(add(child, earlier | _union(masks[i] for i in needs[at]), within))
+        for at, (own, need) in enumerate(zip(masks, needs)):
+            free = [m for i, m in enumerate(masks) if i != at and m & m - 1 and i not in need and at not in needs[i]]
+            for leaf in range(leaves) if free else ():
+                if own >> leaf & 1:
+                    beside[leaf] += tuple(free)
         mask = _union(masks)
         if number >= 0:
             spans[number] = mask
@@ -125,7 +163,7 @@ def _drawn(plan: Plan, leaves: int) -> Chart:
         for number, span in enumerate(spans)
     )
     mandatory = _union(1 << j for j in range(leaves) if inside[j] == 0)
-    return Chart(leaves, tuple(before), parts, tuple(inside), mandatory)
+    return Chart(leaves, tuple(before), tuple(beside), parts, tuple(inside), mandatory)
 
 
 def _needs(node: Node) -> list[set[int]]:

@@ -316,8 +316,8 @@ def _steps(term: Compound, place: Place) -> Iterator[Items]:
 
 def _repeat(term: Compound, place: Place) -> Iterator[Items]:
     """As often as must be, and then once more, and once more, as long as it may be."""
-    *item, least, most = term.args
-    if len(item) != 1 or type(least) is not int or type(most) is not int or not 0 <= least <= most or most == 0:
+    *item, least, most = term.args if term.arity == 3 else (None, None, None)
+    if type(least) is not int or type(most) is not int or not 0 <= least <= most or most == 0:
         shown = term_text(renamed([term], 0)[0])
         raise PlanError(f"{shown}: repeat takes an item and two whole numbers: repeat(stir, 1, 3)", place)
     more: Items = ()

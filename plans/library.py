@@ -145,7 +145,7 @@ class PlanLibrary:
         if self._goals:
             stated: dict[Compound, tuple[Compound, Place]] = {}
             for clause in self._goals:  # several clauses may state conditions of one goal
-                goal = _goal_of(clause)
+                goal = goal_of(clause)
                 stated.setdefault(_general_names(goal), (goal, clause.place))
             return list(stated.values())
         used: set[tuple[str, int]] = set()
@@ -166,7 +166,8 @@ class PlanLibrary:
         return f"<PlanLibrary: {len(self.goals)} goals, {len(self.plans)} plans>"
 
 
-def _goal_of(clause: Clause) -> Compound:
+def goal_of(clause: Clause) -> Compound:
+    """The goal that a clause of goal/1 states."""
     try:
         return predication(clause.head[1])
     except TypeError:

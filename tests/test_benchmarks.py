@@ -1,5 +1,6 @@
 """The logic benchmarks at tiny sizes: they run, and every engine finds the same answers. No time is judged."""
 
+import gc
 import sys
 from pathlib import Path
 
@@ -14,11 +15,22 @@ from benchmarks.logic.bounds import Bound  # noqa: E402
 from benchmarks.logic.figures import TINY, Figure, fingerprint, per_call  # noqa: E402
 
 
+@pytest.fixture(scope="module", autouse=True)
+def small_heap():
+    """The collections between figures need not walk what the test runner has loaded."""
+    gc.collect()
+    gc.freeze()
+    yield
+    gc.unfreeze()
+
+
 @pytest.mark.parametrize("family", report.FAMILIES, ids=report.name_of)
 def test_every_engine_finds_the_same_answers(family):
     figures = report.section(family, TINY).figures
     assert figures and list(report.disagreements(figures)) == []
-    assert all(x.seconds >= 0 or x.engine == "swipl" for x in figures)  # the empty loop may be slower than a tiny one
+    assert all(
+        x.seconds >= 0 or x.engine == "swipl" for x in figures
+    )  # the empty loop may be slower than a tiny one
 
 
 def test_a_differing_answer_is_told():
@@ -27,11 +39,18 @@ def test_a_differing_answer_is_told():
 
 
 def test_the_fingerprint_tells_rows_apart_but_not_their_order():
-    assert fingerprint([("a", 1), ("b", 2)]) == fingerprint([("b", 2), ("a", 1)]) != fingerprint([("a", 2), ("b", 1)])
+    assert (
+        fingerprint([("a", 1), ("b", 2)])
+        == fingerprint([("b", 2), ("a", 1)])
+        != fingerprint([("a", 2), ("b", 1)])
+    )
 
 
 def test_the_closures_hold_the_pairs_that_are_known_beforehand():
-    outcomes = {task: peers.casper(closures.program(edges, "left"), TINY) for task, edges in closures.graphs(TINY).items()}
+    outcomes = {
+        task: peers.casper([closures.program(edges, "left")], TINY)
+        for task, edges in closures.graphs(TINY).items()
+    }
     counts = [outcome.answers[0] for outcome in outcomes.values()]
     assert counts[1:] == [TINY.chain * (TINY.chain + 1) // 2, TINY.cycle**2]
 
@@ -44,7 +63,9 @@ def test_the_ontology_has_as_many_facts_and_axioms_as_it_says():
 
 def test_both_encodings_of_the_ontology_derive_as_much():
     made = ontology.generated(TINY.ontology)
-    one, other = (peers.casper(p, TINY).answers[0] for p in (ontology.as_facts(made), ontology.as_rules(made)))
+    one, other = (
+        peers.casper([p], TINY).answers[0] for p in (ontology.as_facts(made), ontology.as_rules(made))
+    )
     assert one == other > len(made.types) + len(made.links)
 
 
@@ -58,12 +79,12 @@ def test_an_absent_peer_is_a_visible_line(monkeypatch):
     assert "swipl left out: swipl is not on the PATH" in text
 
 
-def test_a_slow_peer_is_not_asked_for_more_rows():
+def test_plain_kanren_is_not_asked_for_more_rows_once_it_grew_too_slow():
     from dataclasses import replace
 
-    found = report.section(rows, replace(TINY, rows=(10, 20), patience=0.0)).found
+    found = report.section(rows, replace(TINY, rows=(10, 20, 40), patience=0.0)).found
     asked = {x.task for x in found if isinstance(x, Figure) and x.engine == "kanren"}
-    assert asked and all("10 rows" in task for task in asked)
+    assert asked and not any("40 rows" in task for task in asked)
 
 
 def test_the_page_keeps_what_others_wrote(tmp_path):
@@ -94,8 +115,9 @@ def test_eat_has_eight_modes():
     assert len(queries.modes()) == 8
 
 
-def test_the_time_of_a_call_is_positive():
-    assert per_call(sum, (1, 2), sizes=TINY) > 0
+def test_a_timed_call_gives_its_result_too():
+    seconds, result = per_call(sum, (1, 2), sizes=TINY)
+    assert seconds > 0 and result == 3
 
 
 def test_the_command_runs_one_family_and_refuses_others(capsys):

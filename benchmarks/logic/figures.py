@@ -1,7 +1,7 @@
 """What a benchmark yields, how time is taken, and the sizes of a run.
 
-Every figure is a median of repeated runs after an untimed warm-up. Garbage is collected before each run; the collector
-stays on in runs of milliseconds and more (its users have it on), and is off in the loops that time microseconds.
+Every figure is a median of repeated runs after an untimed warm-up. Garbage is collected before each figure.
+The collector stays on while programs are derived (its users have it on), and is off in loops over queries.
 """
 
 import gc
@@ -48,9 +48,9 @@ class Sizes:
     ontology: float = 1.0
     updates: int = 200
     repeats: int = 3  # of a run of milliseconds and more
-    loops: int = 7  # of as many calls of microseconds as fit into so many seconds:
-    loop_seconds: float = 0.05
-    patience: float = 0.1  # a peer slower than this at one number of rows is not asked at ten times as many
+    loops: int = 5  # of as many calls of microseconds as fit into so many seconds:
+    loop_seconds: float = 0.02
+    patience: float = 3.0  # seconds: a query that is expected to take longer is left out
     limit: float = 60.0  # seconds for one peer's process
 
 
@@ -58,24 +58,27 @@ FULL = Sizes()
 TINY = Sizes((30,), (12, 20), 10, 8, 0.01, updates=4, repeats=1, loops=1, loop_seconds=0.0005, limit=30.0)
 
 
-def per_call(function: Callable[..., Any], *args: Any, sizes: Sizes) -> float:
-    """Median seconds of one call, over runs of as many calls as fit into a loop's seconds."""
-    function(*args)
+def per_call(function: Callable[..., Any], *args: Any, sizes: Sizes) -> tuple[float, Any]:
+    """Median seconds of one call, over runs that each fill a loop's seconds; and what the call returns."""
+    gc.collect()
     began = time.perf_counter()
-    function(*args)
-    once = time.perf_counter() - began
+    result = function(*args)
+    if (first := time.perf_counter() - began) > 2:
+        return first, result  # too slow for warmth to matter
+    gc.disable()
+    once = _seconds(function, args, 1)
     number = max(1, int(sizes.loop_seconds / max(once, 1e-8)))
     runs = sizes.loops if once < 0.1 else min(sizes.loops, 3)
-    times = []
-    for _ in range(runs):
-        gc.collect()
-        gc.disable()
-        began = time.perf_counter()
-        for _ in range(number):
-            function(*args)
-        times.append((time.perf_counter() - began) / number)
-        gc.enable()
-    return statistics.median(times)
+    times = [once] if once > 0.5 else [_seconds(function, args, number) for _ in range(runs)]
+    gc.enable()
+    return statistics.median(times), result
+
+
+def _seconds(function: Callable[..., Any], args: tuple[Any, ...], number: int) -> float:
+    began = time.perf_counter()
+    for _ in range(number):
+        function(*args)
+    return (time.perf_counter() - began) / number
 
 
 def timed(function: Callable[[], Any]) -> tuple[float, Any]:

@@ -29,8 +29,10 @@ class Memory:
     def __str__(self) -> str:
         lines = [f"{self.given:,} given facts, {self.derived:,} derived ones"]
         for name, held in (("tracemalloc", self.traced), ("resident set", self.resident)):
-            each, all_ = held / max(self.derived, 1), held / max(self.stored + 0, 1)
-            lines.append(f"{name}: {held / 2**20:.1f} MiB, {each:,.0f} bytes a derived fact, {all_:,.0f} a fact")
+            each, all_ = held / max(self.derived, 1), held / max(self.stored, 1)
+            lines.append(
+                f"{name}: {held / 2**20:.1f} MiB, {each:,.0f} bytes a derived fact, {all_:,.0f} a fact"
+            )
         return "; ".join(lines)
 
 

@@ -1,13 +1,14 @@
 """One interface to the engines that derive everything a program means: load, derive, count, time.
 
-A `Program` is facts as tuples and rules as text in the syntax that Prolog, clingo and casper share; every engine gets
-the same. An engine that is not installed gives a `Skipped`, which the report prints.
+A `Program` is facts as tuples and rules as text in the syntax that Prolog, clingo and casper share; every
+engine gets the same. An engine that is not installed gives a `Skipped`, which the report prints.
 """
 
 import importlib.util
 import statistics
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import chain
 from typing import Any, TypeAlias
 
@@ -19,9 +20,10 @@ from . import prolog
 from .figures import OURS, Figure, Rows, Sizes, Skipped, fingerprint, timed
 
 Indicator: TypeAlias = tuple[str, int]
+DERIVING = "deriving alone"
+READ = "{task}, and every row read in Python"
 CLINGO_SETTINGS: tuple[tuple[tuple[str, ...], str], ...] = (
     ((), ""),
-    ((), "#show."),
     (("--single-shot",), "#show."),
 )
 
@@ -33,7 +35,7 @@ class Program:
     facts: dict[str, Rows]
     rules: tuple[str, ...]
     counted: tuple[Indicator, ...]
-    tabling: tuple[str, ...] = ("variant", "subsumptive")  # SWI-Prolog's modes that are worth trying
+    tabling: tuple[str, ...] = ("variant",)  # SWI-Prolog's modes that are worth trying
 
     def text(self) -> str:
         """Everything as text."""
@@ -43,14 +45,15 @@ class Program:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """Seconds of one derivation, and the fingerprint of the answers."""
+    """Seconds of one derivation, the answers' fingerprint, and seconds of reading them all in Python."""
 
     seconds: float
     answers: tuple[int, int]
+    reading: float | None = None
 
 
 def has(kb: KnowledgeBase, method: str) -> bool:
-    """Whether the knowledge base has a method (its predicates are attributes too, so `hasattr` would not do)."""
+    """Whether the knowledge base has a method (`hasattr` would not do: its predicates are attributes too)."""
     return hasattr(type(kb), method)
 
 
@@ -68,22 +71,27 @@ def loaded(program: Program) -> KnowledgeBase:
 
 
 def compiled(kb: KnowledgeBase, program: Program) -> int:
-    """Derive everything, answer one question, and say how many rows there are: nothing is put off."""
+    """Derive everything, answer one question about constants that are there, and count the rows."""
     kb.compile()
-    for name, arity in program.counted[:1]:
-        kb.ask((name, *["c0"] * arity))
+    name, arity = next(indicator for indicator in program.counted if kb.defines(*indicator))
+    constants = [value for rows in program.facts.values() for value in rows[0]]
+    kb.ask((name, *constants[:arity]))
     relations = [kb.stored(indicator) for indicator in program.counted if kb.defines(*indicator)]
     return sum(len(relation) for relation in relations if relation is not None)
 
 
-def casper(program: Program, sizes: Sizes) -> Outcome:
-    """The knowledge base: `compile`, a first `ask`, and the count of the rows."""
-    times = []
+def casper(programs: Sequence[Program], sizes: Sizes) -> Outcome:
+    """The knowledge base, put the first way: `compile`, a first `ask`, the count; then every row read."""
+    program, times, reading = programs[0], [], []
     for _ in range(sizes.repeats):
         kb = loaded(program)
-        seconds, _ = timed(lambda kb=kb: compiled(kb, program))
-        times.append(seconds)
-    return Outcome(statistics.median(times), answers_of(kb, program))
+        times.append(timed(partial(compiled, kb, program))[0])
+        reading.append(timed(partial(_read, kb, program))[0])
+    return Outcome(statistics.median(times), answers_of(kb, program), statistics.median(reading))
+
+
+def _read(kb: KnowledgeBase, program: Program) -> int:
+    return sum(len(list(kb.rows(*indicator))) for indicator in program.counted)
 
 
 def answers_of(kb: KnowledgeBase, program: Program) -> tuple[int, int]:
@@ -91,41 +99,40 @@ def answers_of(kb: KnowledgeBase, program: Program) -> tuple[int, int]:
     return fingerprint((name, *row) for name, arity in program.counted for row in kb.rows(name, arity))
 
 
-def clingo(program: Program, sizes: Sizes) -> Outcome | str:
-    """clingo: `ground` alone, the best of its settings; a reason when it is not installed."""
+def clingo(programs: Sequence[Program], sizes: Sizes) -> Outcome | str:
+    """clingo: `ground` alone, the best of its settings, then reading every atom; or why it was left out."""
     if importlib.util.find_spec("clingo") is None:
         return "the Python package clingo is not installed"
-    text = program.text()
-    runs = [_clingo_runs(text, options, extra, sizes.repeats) for options, extra in CLINGO_SETTINGS]
-    seconds, control = min(runs, key=lambda run: run[0])
-    names = {name: arity for name, arity in program.counted}
-    rows = (_clingo_row(control, name, arity) for name, arity in names.items())
-    return Outcome(seconds, fingerprint(chain.from_iterable(rows)))
+    ways = [(program.text(), *setting) for program in programs for setting in CLINGO_SETTINGS]
+    best = min(ways, key=lambda way: _grounded(*way)[0])
+    runs = [_grounded(*best) for _ in range(sizes.repeats)]
+    control, counted = runs[-1][1], programs[0].counted
+    reading, rows = timed(lambda: list(chain.from_iterable(_atoms(control, *x) for x in counted)))
+    return Outcome(statistics.median(run[0] for run in runs), fingerprint(rows), reading)
 
 
-def _clingo_runs(text: str, options: tuple[str, ...], extra: str, repeats: int) -> tuple[float, Any]:
+def _grounded(text: str, options: tuple[str, ...], extra: str) -> tuple[float, Any]:
     import clingo as package
 
-    times = []
-    for _ in range(repeats):
-        control = package.Control(["-Wnone", *options])
-        control.add("base", [], text + extra)
-        seconds, _ = timed(lambda control=control: control.ground([("base", [])]))
-        times.append(seconds)
-    return statistics.median(times), control
+    control = package.Control(["-Wnone", *options])
+    control.add("base", [], text + extra)
+    return timed(lambda: control.ground([("base", [])]))[0], control
 
 
-def _clingo_row(control: Any, name: str, arity: int) -> Iterator[list[Any]]:
+def _atoms(control: Any, name: str, arity: int) -> Iterator[list[Any]]:
     return ([name, *atom.symbol.arguments] for atom in control.symbolic_atoms.by_signature(name, arity))
 
 
-def swipl(program: Program, sizes: Sizes) -> Outcome | str:
+def swipl(programs: Sequence[Program], sizes: Sizes) -> Outcome | str:
     """SWI-Prolog: tabled queries for all answers, timed inside it, the best of its settings; or a reason."""
     if not prolog.is_installed():
         return "swipl is not on the PATH"
-    tabled = tuple(dict.fromkeys(_head(rule) for rule in program.rules))
-    found = [prolog.derive(program.text(), tabled, program.counted, mode, sizes) for mode in program.tabling]
-    finished = [Outcome(*result) for result in found if result is not None]
+    finished = []
+    for program, mode in ((each, mode) for each in programs for mode in each.tabling):
+        tabled = tuple(dict.fromkeys(_head(rule) for rule in program.rules))
+        found = prolog.derive(program.text(), tabled, program.counted, mode, sizes)
+        if found is not None:
+            finished.append(Outcome(*found))
     if not finished:
         return f"no tabling mode finished in {sizes.limit:.0f} s"
     return min(finished, key=lambda outcome: outcome.seconds)
@@ -137,25 +144,34 @@ def _head(rule: str) -> Indicator:
     return name, args.count(",") + 1
 
 
-Engine: TypeAlias = Callable[[Program, Sizes], Outcome | str]
-PEERS: dict[str, Engine] = {"clingo": clingo, "swipl": swipl}
-ENGINES: dict[str, Engine] = {OURS: casper, **PEERS}
+Engine: TypeAlias = Callable[[Sequence[Program], Sizes], Outcome | str]
+ENGINES: dict[str, Engine] = {OURS: casper, "clingo": clingo, "swipl": swipl}
 
 
-def derivations(task: str, program: Program, sizes: Sizes, engines: Iterable[str] = ()) -> Iterator[Figure | Skipped]:
-    """The figures of one derivation task, engine by engine; all of them when none is named."""
-    for name in engines or ENGINES:
-        outcome = ENGINES[name](program, sizes)
+def derivations(task: str, programs: Sequence[Program], sizes: Sizes) -> Iterator[Figure | Skipped]:
+    """The figures of one derivation task, engine by engine; peers choose among the ways to put it."""
+    for name, engine in ENGINES.items():
+        outcome = engine(programs, sizes)
         if isinstance(outcome, str):
             yield Skipped(task, name, outcome)
-        else:
-            yield Figure(task, name, outcome.seconds, outcome.answers)
+            continue
+        yield Figure(task, name, outcome.seconds, outcome.answers)
+        if outcome.reading is not None:
+            yield Figure(READ.format(task=task), name, outcome.seconds + outcome.reading)
 
 
 def loadings(task: str, program: Program, sizes: Sizes) -> Iterator[Figure | Skipped]:
-    """Building the knowledge base and deriving, together, from rows and from text."""
-    rows = [timed(lambda: compiled(loaded(program), program)) for _ in range(sizes.repeats)]
-    yield Figure(task.format(source="rows"), OURS, statistics.median(x[0] for x in rows), rows[0][1])
+    """Building the knowledge base and deriving, together, from rows and from text; beside the deriving in it."""
+    whole, alone = [], []
+    for _ in range(sizes.repeats):
+        building, kb = timed(partial(loaded, program))
+        deriving, count = timed(partial(compiled, kb, program))
+        whole.append(building + deriving)
+        alone.append(deriving)
+    yield Figure(task.format(source="rows"), OURS, statistics.median(whole), count)
+    yield Figure(task.format(source="rows"), DERIVING, statistics.median(alone))
     text = program.text()
     seconds, count = timed(lambda: compiled(KnowledgeBase.from_text(text), program))
     yield Figure(task.format(source="text"), OURS, seconds, count)
+    if importlib.util.find_spec("clingo") is not None:
+        yield Figure(task.format(source="text"), "clingo", timed(lambda: _grounded(text, (), ""))[0])

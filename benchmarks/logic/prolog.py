@@ -1,4 +1,4 @@
-"""SWI-Prolog as a peer: programs and goals are timed inside one swipl process, so no pipe is in the figures."""
+"""SWI-Prolog as a peer: programs and goals are timed inside one swipl process, without any pipe."""
 
 import shutil
 import subprocess
@@ -11,23 +11,28 @@ from .figures import Sizes, fingerprint
 STACK = ("--stack-limit=6g", "--table-space=6g")
 QUIET = ":- style_check([-singleton, -discontiguous, -no_effect]).\n:- use_module(library(statistics)).\n"
 DERIVE = """
-seconds(S) :- abolish_all_tables, garbage_collect, call_time(forall(counted(G), aggregate_all(count, G, _)), D), S = D.wall.
+seconds(S) :-
+    abolish_all_tables, garbage_collect,
+    call_time(forall(counted(G), aggregate_all(count, G, _)), D), S = D.wall.
 main(Repeats, Rows) :-
     length(Times, Repeats), maplist(seconds, Times), msort(Times, Sorted),
     Middle is Repeats // 2, nth0(Middle, Sorted, S), format("~15f~n", [S]),
-    setup_call_cleanup(open(Rows, write, Out), forall((counted(G), call(G)), (G =.. L, row(L, Out))), close(Out)).
+    setup_call_cleanup(open(Rows, write, Out), write_rows(Out), close(Out)).
+write_rows(Out) :- forall((counted(G), call(G)), (G =.. L, row(L, Out))).
 row(L, Out) :- atomic_list_concat(L, ' ', A), writeln(Out, A).
 """
 LOOPS = """
 calls(S, G, N, Runs, Middle) :-
-    length(Times, Runs), maplist(run(S, G, N), Times), msort(Times, Sorted), M is Runs // 2, nth0(M, Sorted, Middle).
+    length(Times, Runs), maplist(run(S, G, N), Times), msort(Times, Sorted),
+    M is Runs // 2, nth0(M, Sorted, Middle).
 run(_, G, N, S) :- garbage_collect, call_time(loop(G, N), D), S is D.wall / N.
 main(Seconds, Runs) :-
     Most is max(1000, truncate(Seconds * 6.0e6)), calls(Seconds, 0, Most, Runs, Empty),
     forall(between(1, {last}, G), timed(G, Seconds, Most, Runs, Empty)).
 timed(G, Seconds, Most, Runs, Empty) :-
     loop(G, 1), call_time(loop(G, 1), D), N is max(1, min(Most, truncate(Seconds / max(D.wall, 1.0e-7)))),
-    calls(Seconds, G, N, Runs, S), Net is S - Empty, aggregate_all(count, goal(G), Count), format("~15f ~d~n", [Net, Count]).
+    calls(Seconds, G, N, Runs, S), Net is S - Empty,
+    aggregate_all(count, goal(G), Count), format("~15f ~d~n", [Net, Count]).
 """
 
 
@@ -57,7 +62,9 @@ def derive(
     as_mode = " as subsumptive" if mode == "subsumptive" else ""
     tables = "".join(f":- table {name}/{arity}{as_mode}.\n" for name, arity in tabled)
     goals = "".join(f"counted({_open(name, arity)}).\n" for name, arity in counted)
-    dynamic = "".join(f":- dynamic {name}/{arity}.\n" for name, arity in counted if (name, arity) not in tabled)
+    dynamic = "".join(
+        f":- dynamic {name}/{arity}.\n" for name, arity in counted if (name, arity) not in tabled
+    )
     with tempfile.TemporaryDirectory() as folder:
         rows = Path(folder) / "rows.txt"
         source = f"{QUIET}{dynamic}{tables}{text}{goals}{DERIVE}"
@@ -75,12 +82,16 @@ def _open(name: str, arity: int) -> str:
 def calls(text: str, goals: Mapping[str, str], sizes: Sizes) -> dict[str, tuple[float, int]]:
     """For each named goal the seconds of finding all its answers once, and how many there are.
 
-    Goals are compiled, as clauses; the empty loop's time is subtracted. The rules run as they are and under ``-O``,
-    and the better figure counts.
+    Goals are compiled, as clauses; the empty loop's time is subtracted. The rules run as they are and
+    under ``-O``, and the better figure counts.
     """
     loops = ["loop(0, N) :- between(1, N, _), fail.", "loop(0, _)."]
     for at, goal in enumerate(goals.values(), start=1):
-        loops += [f"loop({at}, N) :- between(1, N, _), {goal}, fail.", f"loop({at}, _).", f"goal({at}) :- {goal}."]
+        loops += [
+            f"loop({at}, N) :- between(1, N, _), {goal}, fail.",
+            f"loop({at}, _).",
+            f"goal({at}) :- {goal}.",
+        ]
     source = f"{QUIET}{text}\n" + "\n".join(sorted(loops)) + LOOPS.replace("{last}", str(len(goals)))
     best: dict[str, tuple[float, int]] = {}
     for options in ((), ("-O",)):

@@ -1,4 +1,4 @@
-"""The report: every benchmark in one run, equal answers checked, times beside ratios, the promises, the machine."""
+"""The report: every benchmark in one run, answers compared, times beside ratios, promises, the machine."""
 
 import argparse
 import os
@@ -93,18 +93,22 @@ def page(
     """The report as paragraphs of Markdown."""
     yield f"## The knowledge base and its peers\n\n{date.today().isoformat()}. {machine()}."
     yield (
-        f"Medians of repeated warm runs, all in one run; in brackets how many times the first {OURS} column of the "
-        "row, so above 1 the peer is slower. `python benchmarks/logic --write` makes this page."
+        f"Medians of repeated warm runs, all in one run; in brackets how many times the first {OURS} column "
+        "of the row, so above 1 the peer is slower. `python benchmarks/logic --write` makes this page."
     )
     yield "\n".join(["Answers differ:", *different]) if different else "All engines give equal answers."
     for found in sections:
         yield f"### {found.title}\n\n{found.timed}"
         yield "\n".join(table(found.figures))
-        if skipped := [f"- {x.task}: {x.engine} left out: {x.reason}" for x in found.found if isinstance(x, Skipped)]:
+        if skipped := [
+            f"- {x.task}: {x.engine} left out: {x.reason}" for x in found.found if isinstance(x, Skipped)
+        ]:
             yield "\n".join(skipped)
     if memory is not None:
         yield f"### Memory of the large base\n\n{memory}."
-    yield "\n".join(["### Promises", "", "| promise | measured | bound | |", "|---|--:|--:|---|", *map(_line, promises)])
+    yield "\n".join(
+        ["### Promises", "", "| promise | measured | bound | |", "|---|--:|--:|---|", *map(_line, promises)]
+    )
 
 
 def table(figures: Sequence[Figure]) -> Iterator[str]:
@@ -123,7 +127,11 @@ def table(figures: Sequence[Figure]) -> Iterator[str]:
 def _cell(seconds: float | None, ours: float | None) -> str:
     if seconds is None or ours is None:
         return "–"
-    return duration(seconds) if seconds == ours else f"{duration(seconds)} ({_number(seconds / max(ours, 1e-12))}×)"
+    return (
+        duration(seconds)
+        if seconds == ours
+        else f"{duration(seconds)} ({_number(seconds / max(ours, 1e-12))}×)"
+    )
 
 
 def duration(seconds: float) -> str:
@@ -141,8 +149,13 @@ def _number(value: float) -> str:
 def _line(promise: Bound) -> str:
     value = _number(promise.value) if promise.value is not None else "–"
     word = "at least" if promise.at_least else "at most"
-    kept = "kept" if promise.held else "**not kept**"
-    return f"| {promise.promise} | {value} {promise.unit} | {word} {_number(promise.bound)} {promise.unit} | {kept} |"
+    cells = (
+        promise.promise,
+        f"{value} {promise.unit}",
+        f"{word} {_number(promise.bound)} {promise.unit}",
+        "kept" if promise.held else "**not kept**",
+    )
+    return f"| {' | '.join(cells)} |"
 
 
 def machine() -> str:

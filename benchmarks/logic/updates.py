@@ -14,11 +14,15 @@ from .peers import Program, answers_of, compiled, has, loaded
 
 TITLE = "Updates of the large base"
 TIMED = (
-    "One fact at a time on the ontology (axioms as facts), warm, with an `ask` for that fact: the median over different "
-    "facts. After each series the whole base is compared with one that was built anew. The recomputation is that base's "
-    "derivation, without its loading."
+    "One fact at a time on the ontology (axioms as facts), warm, with an `ask` for that fact: the median "
+    "over different facts. After each series the whole base is compared with one that was built anew. The "
+    "recomputation is that base's derivation, without its loading."
 )
-ASSERT, RETRACT, GIVEN = "assert a {name} fact", "retract a {name} fact, a new one", "retract a {name} fact, a given one"
+ASSERT, RETRACT, GIVEN = (
+    "assert a {name} fact",
+    "retract a {name} fact, a new one",
+    "retract a {name} fact, a given one",
+)
 AGAIN = "recomputation"
 
 

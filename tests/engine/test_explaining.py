@@ -52,7 +52,7 @@ def counted(library: tuple[Plan, ...], seen: list[Observation], matcher: type) -
     counting = Counting(library, matcher(library))
     for observation in seen:
         counting.observe(observation)
-    found = [Explanation(library[g.plan], marks, b, g.score, 0.0) for g, (marks, b) in counting.stream()]
+    found = [Explanation(library[f.plan], f.marks, f.binding, f.score, 0.0) for f in counting.stream()]
     assert counting.count == len(found)
     return found
 
@@ -121,4 +121,4 @@ def test_the_stream_is_lazy_where_there_are_more_explanations_than_atoms(length:
         counting.observe(Observation("a"))
     assert counting.count > 10**10
     first = list(islice(counting.stream(), 3))
-    assert [group.last for group, _ in first] == [length - 1, length, length]
+    assert [found.marks[-1] for found in first] == [length - 1, length, length]

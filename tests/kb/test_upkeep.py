@@ -307,3 +307,20 @@ def test_a_query_can_be_bounded_in_time_and_cancelled():
         list(base.query("n(X), n(Y), X = Y, X = never", cancelled=lambda: True))
     with pytest.raises(BudgetExceeded, match="time was up"):
         list(base.query("n(X), n(Y), X = Y, X = never", timeout=0.0))
+
+
+@given(programs(negation=False), st.sampled_from([("d0", "a"), ("d1", "a", 1), ("d2", "b"), ("d4", 1)]))
+def test_a_repair_really_repairs_and_no_smaller_one_is_known(text, statement):
+    base = KnowledgeBase.from_text(text)
+    found = base.repair(statement)
+    for repair in found:
+        assert base.changed(repair).ask(statement)
+        assert repair.size == found[0].size
+        for fact in repair.add:
+            assert not base.changed(type(repair)(repair.add - {fact}, repair.remove)).ask(statement)
+
+
+def test_a_repair_respects_the_constraints():
+    text = 'human(ann). robot(tia). eat(X) :- human(X). never("one or the other") :- human(X), robot(X).'
+    (repair,) = KnowledgeBase.from_text(text).repair("eat(tia)")
+    assert repair.to_json() == {"add": ["human(tia)"], "remove": ["robot(tia)"]}

@@ -1,4 +1,4 @@
-"""The command line. Every command but ``repl`` takes ``--json``: one JSON object a line, nothing else on standard output.
+"""The command line. Every command but ``repl`` takes ``--json``: one JSON object a line, nothing else on the output.
 
 Exit codes: 0 done, 1 some statement is not valid (verify) or the domain has errors (check), 2 a mistake, told in one
 sentence on standard error.

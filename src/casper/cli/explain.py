@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -18,19 +19,31 @@ def explain(
     policy: PolicyName = "strict",
     top: Annotated[int, typer.Option(min=0, help="How many of the best explanations to show.")] = 3,
     no_verification: Unverified = False,
+    noise: Annotated[
+        float | None,
+        typer.Option(metavar="PRICE", help="Allow needless observations: the factor each one multiplies a score by."),
+    ] = None,
+    goals: Annotated[int, typer.Option(metavar="N", help="How many goals may be pursued at once.")] = 1,
+    picture: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw the best explanations of all actions: .svg, .png or .pdf.")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Explain observed actions: after each one, the goals, the best explanations, and why the others are out."""
     from casper.cli.output import print_json
     from casper.engine.domain import Domain
 
-    reading = Domain.load(domain).reading(policy, verification=not no_verification)
+    reading = Domain.load(domain).reading(policy, verification=not no_verification, noise=noise, goals=goals)
     for action in actions:
         reading.observe(action)
         if as_json:
             print_json(reading.to_json(top))
         else:
             show(reading, top)
+    if picture is not None:
+        from casper.engine.pictures import save_picture
+
+        save_picture([part for explanation in reading.best(max(top, 1)) for part in explanation.parts], picture)
 
 
 def show(reading: Reading, top: int) -> None:
@@ -46,7 +59,8 @@ def show(reading: Reading, top: int) -> None:
     out.rule(f"[bold]{escape(' → '.join(map(str, reading.observations)))}", align="left", style="dim")
     best = reading.best(max(top, 1))
     plural = "" if reading.count == 1 else "s"
-    out.print(f"{reading.count} explanation{plural}, confidence {best[0].share if best else 0.0:.2f}")
+    least = "" if reading.is_exact else "at least "
+    out.print(f"{least}{reading.count} explanation{plural}, confidence {best[0].share if best else 0.0:.2f}")
     for goal, share in reading.posterior.items():
         reasons = "; ".join(reading.rejected.get(goal, ()))
         note = f"  [dim]not this: {escape(reasons)}[/]" if reasons else ""
@@ -55,7 +69,11 @@ def show(reading: Reading, top: int) -> None:
     out.print(f"outcome: {verdict}")
     for explanation in best[:top]:
         out.print(f"[dim]score {explanation.score:.3f}, share {explanation.share:.2f}[/]")
-        out.print(escape(tree_text(explanation.tree())))
+        for part in explanation.parts:
+            out.print(escape(tree_text(part.tree())))
+        if explanation.needless:
+            needless = ", ".join(str(reading.observations[at]) for at in explanation.needless)
+            out.print(f"needless: {escape(needless)}")
     if best and best[0].frontier:
         still = ", ".join(term_text(as_term(action)) for action in best[0].frontier)
         out.print(f"yet to come: {escape(still)}")

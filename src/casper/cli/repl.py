@@ -57,7 +57,7 @@ def _prepare(session: Session) -> None:
     import atexit
 
     def complete(text: str, state: int) -> str | None:
-        fitting = [word for word in session.words() if word.startswith(text)]
+        fitting = session.completions(readline.get_line_buffer()[: readline.get_endidx()], text)
         return fitting[state] if state < len(fitting) else None
 
     history = HISTORY.expanduser()

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from casper.cli.output import console
 from casper.engine.domain import Domain
 from casper.engine.reload import carried_over, reloaded
+from casper.kb.clauses import Clause, Production
 from casper.kb.errors import BudgetExceeded, CasperError
-from casper.kb.terms import Term
 from casper.kb.writer import sentence_text, term_text
 
 if TYPE_CHECKING:
@@ -66,13 +66,17 @@ class Session:
             self._say("this goes too deep to be answered")
         except KeyboardInterrupt:
             self._say("stopped")
+        except Exception as mistake:  # a fault of ours: told in full, but no reason to lose what was observed
+            self._say(f"casper itself failed at this: {type(mistake).__name__}: {mistake}")
 
-    def words(self) -> list[str]:
-        """What can be completed: commands, predicates, tasks and actions."""
-        names = {name for name, _ in self._indicators()}
+    def completions(self, line: str, word: str) -> list[str]:
+        """What the last word of a line may become: a command at its start, a predicate, task or action anywhere."""
+        typed = len(line) - len(word)
+        commands = [f"{command} " for command in self._commands if command != ";"]
+        fitting = [command[typed:] for command in (*commands, ":quit") if command.startswith(line)]
         library = self.domain.library
-        names |= {name for name, _ in (*library.tasks, *library.actions)}
-        return sorted([*(f"{command} " for command in self._commands if command != ";"), ":quit", *names])
+        names = {name for name, _ in (*self._indicators(), *library.tasks, *library.actions)}
+        return [*dict.fromkeys(fitting), *sorted(name for name in names if name.startswith(word))]
 
     def _dispatch(self, line: str) -> None:
         for command, act in self._commands.items():
@@ -90,7 +94,7 @@ class Session:
 
     def _answers(self, goal: str) -> Iterator[str]:
         for answer in self.domain.kb.query(goal):
-            yield ", ".join(f"{name} = {_shown(value)}" for name, value in answer.items()) or "yes"
+            yield ", ".join(f"{name} = {term_text(value)}" for name, value in answer.items()) or "yes"
 
     def _next_page(self, rest: str) -> None:
         if self._more is None:
@@ -121,7 +125,8 @@ class Session:
         for repair in found:
             self._say(str(repair))
         if not found:
-            self._say("it is valid as it is" if kb.verify(statement).valid else "no small change of facts makes it valid")
+            valid = kb.verify(statement).valid
+            self._say("it is valid as it is" if valid else "no small change of facts makes it valid")
 
     # --- observations ----------------------------------------------------------------------------------------------
 
@@ -165,7 +170,7 @@ class Session:
             self._say(", ".join(f"{name}/{arity}" for name, arity in sorted(self._indicators())))
             return
         name, _, arity = wanted.partition("/")
-        sentences = [*self.domain.kb.clauses, *self.domain.library.productions]
+        sentences: list[Clause | Production] = [*self.domain.kb.clauses, *self.domain.library.productions]
         found = [s for s in sentences if s.head.functor == name and arity in ("", str(s.head.arity))]
         for sentence in found:
             self._say(sentence_text(sentence))
@@ -190,10 +195,6 @@ class Session:
 
     def _say(self, text: str) -> None:
         self.out.print(text, markup=False)
-
-
-def _shown(value: Term) -> str:
-    return term_text(value)
 
 
 def _chained(first: str, rest: Iterator[str]) -> Iterator[str]:

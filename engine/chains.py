@@ -1,0 +1,153 @@
+"""Counting by names, for small libraries of plans whose actions simply follow one another: plain Python, a few µs.
+
+Between two observations a and b a plan's counts only move from its leaves named a to its leaves named b. So a *table*
+is made once for each ordered pair of names that occurs: how many of the plan's a-leaves lie left of each b-leaf. With
+the counts kept as running sums, an update is one look-up for each b-leaf, and the sum of a plan's scores is
+
+    k/n^2 * sum_i C[i] * (right[i] + k)        right[i]: the leaves right of the i-th b-leaf
+
+`engine.counting` is the specification.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TypeAlias
+
+from casper.engine.counting import positions_of
+from casper.engine.matching import Matcher
+from casper.engine.observation import Seen
+from casper.engine.policy import Standing
+from casper.engine.replay import Replay
+from casper.plans.plan import Plan
+
+Row: TypeAlias = tuple[int, int, tuple[tuple[int, int], ...]]
+"""Plan, the square of its length; for each of its leaves of this name: how many leaves of the last name lie left of
+it, and how many leaves of any name right."""
+Standings: TypeAlias = list[tuple[int, float, int, int, int]]
+"""For each plan that explains the observations: plan, sum of scores, count, leaves right of the best explanation's
+last marked leaf, how many explanations are as good."""
+
+
+class Chains(Replay):
+    """Counts for chains, by names. Interface: `casper.engine.replay.Replay`."""
+
+    def __init__(self, plans: Sequence[Plan], matcher: Matcher, priors: Sequence[float] | None = None) -> None:
+        super().__init__(plans, matcher, priors)
+        self._positions = [positions_of(plan) for plan in plans]
+        self._squares = [len(plan.leaves) ** 2 for plan in plans]
+        self._tables: dict[tuple[str | None, str], list[Row]] = {}
+        self._own_goal = len(set(self.labels)) == len(plans)
+        self._nothing = dict.fromkeys(self.labels, 0.0)
+        begin: Standings = [(plan, 0.0, 1, len(plans[plan].leaves), 1) for plan in range(len(plans))]
+        self._levels: list[tuple[str | None, dict[int, list[int]], Standings]] = [
+            (None, {plan: [0, 1] for plan in range(len(plans))}, begin)
+        ]
+
+    def observe(self, seen: Seen) -> None:
+        """Advance every plan that has the action."""
+        action = seen.action
+        last, before, _ = self._levels[-1]
+        rows = self._tables.get((last, action))
+        if rows is None:
+            rows = self._table(last, action)
+        self.observations.append(seen)
+        k = len(self.observations)
+        running: dict[int, list[int]] = {}
+        standings: Standings = []
+        for plan, square, moves in rows:
+            if plan in before:
+                old, sums = before[plan], [0]
+                count = total = left = ties = 0
+                for cut, right in moves:
+                    here = old[cut]
+                    if here:
+                        if not count:
+                            left, ties = right, here
+                        count += here
+                        total += here * right
+                    sums.append(count)
+                if count:
+                    running[plan] = sums
+                    standings.append((plan, k * (total + k * count) / square, count, left, ties))
+        self._levels.append((action, running, standings))
+
+    def _table(self, last: str | None, action: str) -> list[Row]:
+        rows: list[Row] = []
+        for plan, positions in enumerate(self._positions):
+            here = positions.get(action)
+            earlier = [-1] if last is None else positions.get(last, [])
+            if here and earlier:
+                leaves = len(self.plans[plan].leaves)
+                moves = tuple((sum(other < leaf for other in earlier), leaves - leaf - 1) for leaf in here)
+                rows.append((plan, leaves * leaves, moves))
+        self._tables[last, action] = rows
+        return rows
+
+    def undo(self) -> None:
+        """Take back the last observation."""
+        super().undo()
+        self._levels.pop()
+
+    def fork(self) -> Chains:
+        """A copy that goes its own way; tables are shared."""
+        other = super().fork()
+        assert isinstance(other, Chains)
+        other._levels = list(self._levels)
+        return other
+
+    def alive(self, level: int) -> set[int]:
+        """The plans that explain the first so many observations."""
+        return set(self._levels[level][1])
+
+    @property
+    def count(self) -> int:
+        """The exact number of explanations; before the first observation, of plans."""
+        return sum([count for _, _, count, _, _ in self._levels[-1][2]])
+
+    def score_sums(self) -> list[float]:
+        """Per plan the sum of the scores of its explanations."""
+        found = [0.0] * len(self.plans)
+        for plan, total, _, _, _ in self._levels[-1][2]:
+            found[plan] = total
+        return found
+
+    def posterior(self) -> Mapping[str, float]:
+        """Each goal's share of the sum of all scores, weighed by its prior."""
+        if not (self._own_goal and self.evenly):
+            return super().posterior()
+        standings, shares = self._levels[-1][2], self._nothing.copy()
+        whole = sum([standing[1] for standing in standings])
+        if whole:
+            for plan, total, _, _, _ in standings:
+                shares[self.labels[plan]] = total / whole
+        return shares
+
+    def best(self) -> tuple[float, int, int, int] | None:
+        """The best explanation: weight, plan, leaves right of its last marked one; how many of the plan are as good."""
+        k, squares, priors = len(self.observations), self._squares, self.priors
+        best = None
+        for plan, _, _, left, ties in self._levels[-1][2]:
+            weight = priors[plan] * (k * (left + k) / squares[plan])
+            if best is None or weight > best[0]:
+                best = (weight, plan, left, ties)
+        return best
+
+    def tops(self) -> list[tuple[float, int, int, int]]:
+        """Per plan that explains the observations: weight of its best explanation, plan, leaves right of it, ties."""
+        k, squares, priors = len(self.observations), self._squares, self.priors
+        return [
+            (priors[plan] * (k * (left + k) / squares[plan]), plan, left, ties)
+            for plan, _, _, left, ties in self._levels[-1][2]
+        ]
+
+    def standing(self) -> Standing | None:
+        """The best explanation and its rivals."""
+        best = self.best()
+        if best is None:
+            return None
+        weight, plan, left, _ = best
+        label, labels = self.labels[plan], self.labels
+        rivals = sum([ties for other, p, _, ties in self.tops() if other == weight and labels[p] != label])
+        missed = len(self.plans[plan].leaves) - left - len(self.observations)
+        return Standing(self.count, label, missed, rivals)

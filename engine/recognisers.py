@@ -1,0 +1,137 @@
+"""Which engine reads a partner: one interface, and the choice among those that give the same answers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol, Self
+
+from casper.engine.counting import Counting
+from casper.engine.explanation import Explanation, Interleaved
+from casper.engine.matching import Binding, Matcher, NameMatcher, ParameterMatcher
+from casper.engine.observation import Seen
+from casper.engine.policy import Standing
+from casper.engine.scoring import Score, paper
+from casper.kb.errors import CasperError
+from casper.plans.plan import Plan, is_plain
+
+MANY_PAIRS = 10
+MANY_PLANS = 100  # from here on arrays beat plain Python (benchmarks/recognition)
+
+
+class Recogniser(Protocol):
+    """What a reading asks of its engine. Levels count from 0, before the first observation."""
+
+    observations: list[Seen]
+
+    @property
+    def mismatches(self) -> Sequence[Mapping[int, Mapping[str, None]]]:
+        """After each observation, by plan, the reasons why it could not go on."""
+
+    @property
+    def count(self) -> int:
+        """The exact number of explanations; before the first observation, of plans."""
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether every explanation was counted; otherwise counts and sums are lower bounds."""
+
+    def observe(self, seen: Seen) -> None:
+        """Take in an observation."""
+
+    def undo(self) -> None:
+        """Take back the last one."""
+
+    def fork(self) -> Self:
+        """A copy that goes its own way."""
+
+    def alive(self, level: int) -> set[int]:
+        """The plans that take part in explaining the first so many observations."""
+
+    def posterior(self) -> Mapping[str, float]:
+        """Each goal's probability of being pursued."""
+
+    def standing(self) -> Standing | None:
+        """The best explanation and its rivals."""
+
+    def explanations(self) -> Iterator[Explanation | Interleaved]:
+        """Every explanation, best first, lazily."""
+
+    def ends(self) -> Iterator[tuple[tuple[tuple[int, int, Binding], ...], float]]:
+        """Where explanations end: per goal pursued (plan, mask of closed leaves, binding), and their share."""
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """What may be switched on: everything off is the paper's recogniser.
+
+    ``noise`` is the factor on a score for each needless or misread observation (None: there are none), ``goals`` how
+    many goals may be pursued at once, ``priors`` each goal's prior by label, ``measure`` the score, ``budget`` how many
+    states a search for more than two goals may keep.
+    """
+
+    noise: float | None = None
+    goals: int = 1
+    priors: Mapping[str, float] | None = None
+    measure: Score = paper
+    budget: int = 3000
+
+    def check(self) -> None:
+        """Refuse what makes no sense.
+
+        Raises:
+            CasperError: a price that is no number above 0 and at most 1, or no whole number of goals above 0.
+        """
+        noise: Any = self.noise
+        if noise is not None and (not _is_number(noise) or not 0 < noise <= 1):
+            raise CasperError(f"the price of a needless observation is a factor above 0 and at most 1, not {noise}")
+        if isinstance(self.goals, bool) or not isinstance(self.goals, int) or self.goals < 1:
+            raise CasperError(f"the number of goals pursued at once is a whole number from 1, not {self.goals}")
+        if self.budget < 1:
+            raise CasperError(f"a search needs a budget of at least one state, not {self.budget}")
+
+
+PAPER = Options()
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def recogniser(plans: Sequence[Plan], matcher: Matcher, options: Options) -> Recogniser:
+    """The fastest engine that does what is asked."""
+    options.check()
+    priors = [options.priors[plan.label] for plan in plans] if options.priors else None
+    plain = options.noise is None and options.measure is paper and _by_name(plans, matcher)
+    if options.goals > 1:
+        from casper.engine.interleaving import Interleaving
+
+        if plain and options.goals == 2 and len(plans) >= MANY_PAIRS and _has_numpy():
+            from casper.engine.pairs import Pairs, fits
+
+            if fits(plans):
+                return Pairs(plans, matcher, priors)
+        return Interleaving(plans, matcher, options.goals, options.noise, priors, options.measure, options.budget)
+    if not plain:
+        return Counting(plans, matcher, options.noise, priors, options.measure)
+    if len(plans) < MANY_PLANS or not _has_numpy():
+        from casper.engine.chains import Chains
+
+        return Chains(plans, matcher, priors)
+    from casper.engine.arrays import Arrays
+
+    return Arrays(plans, matcher, priors)
+
+
+def _by_name(plans: Sequence[Plan], matcher: Matcher) -> bool:
+    """Whether nothing but the order of names matters."""
+    named = type(matcher) is NameMatcher
+    if not named and type(matcher) is ParameterMatcher:
+        named = all(len(leaf) == 1 for plan in plans for leaf in plan.leaves)
+    return named and all(map(is_plain, plans))
+
+
+def _has_numpy() -> bool:
+    from importlib.util import find_spec
+
+    return find_spec("numpy") is not None

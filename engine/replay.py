@@ -1,0 +1,123 @@
+"""What the fast engines share: they count in numbers of their own, and hand over to `Counting` for single explanations.
+
+Their plans are chains, their observations names. Explanations of a plan are listed by counting it once more, alone.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from heapq import heapify, heappop, heappush
+from typing import Self
+
+from casper.engine.counting import Counting, posterior_by
+from casper.engine.explanation import Explanation
+from casper.engine.matching import Binding, Matcher, NameMatcher
+from casper.engine.observation import Seen
+from casper.engine.policy import Standing
+from casper.plans.plan import Plan
+
+
+class Replay(ABC):
+    """An engine for chains by names; priors weigh, everything else is as the paper has it."""
+
+    def __init__(self, plans: Sequence[Plan], matcher: Matcher, priors: Sequence[float] | None = None) -> None:
+        self.plans, self.matcher = plans, matcher
+        self.priors = priors or (1.0,) * len(plans)
+        self.evenly = all(prior == 1.0 for prior in self.priors)
+        self.labels = [plan.label for plan in plans]
+        self.observations: list[Seen] = []
+
+    @property
+    def mismatches(self) -> Sequence[Mapping[int, Mapping[str, None]]]:
+        """No name ever clashes with a parameter."""
+        return ({},) * (len(self.observations) + 1)
+
+    @property
+    def is_exact(self) -> bool:
+        """Every explanation is counted."""
+        return True
+
+    def counting(self) -> Counting:
+        """The same as a `Counting`, which takes uncertain observations too."""
+        counting = Counting(self.plans, self.matcher, priors=self.priors)
+        for seen in self.observations:
+            counting.observe(seen)
+        return counting
+
+    def ends(self) -> Iterator[tuple[tuple[tuple[int, int, Binding], ...], float]]:
+        """Where explanations end: (plan, mask of closed leaves, binding), and the share of all scores."""
+        return self.counting().ends()
+
+    def undo(self) -> None:
+        """Take back the last observation."""
+        self.observations.pop()
+
+    def fork(self) -> Self:
+        """A copy that goes its own way."""
+        other = object.__new__(type(self))
+        other.__dict__.update(self.__dict__)
+        other.observations = list(self.observations)
+        return other
+
+    @abstractmethod
+    def observe(self, seen: Seen) -> None:
+        """Advance every plan that has the action."""
+
+    @abstractmethod
+    def alive(self, level: int) -> set[int]:
+        """The plans that explain the first so many observations."""
+
+    @property
+    @abstractmethod
+    def count(self) -> int:
+        """The exact number of explanations; before the first observation, of plans."""
+
+    @abstractmethod
+    def score_sums(self) -> list[float]:
+        """Per plan the sum of the scores of its explanations."""
+
+    @abstractmethod
+    def tops(self) -> Iterable[tuple[float, int, int, int]]:
+        """Per plan that explains the observations: weight of its best explanation, plan, leaves right of it, ties."""
+
+    @abstractmethod
+    def standing(self) -> Standing | None:
+        """The best explanation and its rivals; None when there is none."""
+
+    def posterior(self) -> Mapping[str, float]:
+        """Each goal's share of the sum of all scores, weighed by its prior."""
+        return posterior_by(self.labels, [p * s for p, s in zip(self.priors, self.score_sums())])
+
+    def total(self) -> float:
+        """The sum of all scores, weighed by priors."""
+        return sum([p * s for p, s in zip(self.priors, self.score_sums())])
+
+    def explanations(self) -> Iterator[Explanation]:
+        """Every explanation, best first, lazily: by weight, then plan, then marked leaves."""
+        whole = self.total()
+        heap: list[tuple[float, int, tuple[int, ...], Explanation | None, Iterator[Explanation]]] = [
+            (-weight, plan, (), None, self._alone(plan, whole)) for weight, plan, _, _ in self.tops()
+        ]
+        heapify(heap)
+        while heap:
+            _, plan, _, found, rest = heappop(heap)
+            if found is not None:
+                yield found
+            following = next(rest, None)
+            if following is not None:
+                weight = self.priors[plan] * following.score
+                heappush(heap, (-weight, plan, following.marks, following, rest))
+
+    def _alone(self, plan: int, whole: float) -> Iterator[Explanation]:
+        """The explanations of one plan, best first."""
+        counting = Counting((self.plans[plan],), NameMatcher((self.plans[plan],)))
+        for seen in self.observations:
+            counting.observe(seen)
+        for found in counting.stream():
+            share = self.priors[plan] * found.score / whole if whole else 0.0
+            yield Explanation(self.plans[plan], found.marks, self._binding(plan), found.score, share)
+
+    def _binding(self, plan: int) -> tuple[None, ...]:
+        binding = self.matcher.initial(plan)
+        return (None,) * len(binding) if isinstance(binding, tuple) else ()

@@ -1,0 +1,88 @@
+"""States of a plan under observation, and how one observation leads from states to states (pure functions)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TypeAlias
+
+from casper.engine.matching import Binding
+from casper.plans.chart import Chart
+
+State: TypeAlias = tuple[int, int, int, int, int, Binding]
+"""Closed leaves, entered optional parts, leaves of the plan, missed, needless observations, binding."""
+Level: TypeAlias = dict[State, int]  # how many explanations end in each state
+Edge: TypeAlias = tuple[int, Binding, float]  # leaf, binding after, likelihood
+Edges: TypeAlias = dict[Binding, list[Edge]]  # by binding before: what was matched at one observation
+Weight: TypeAlias = tuple[float, float, int]
+"""Of a state's paths: the sum and the largest of their likelihoods, and how many are as large."""
+
+NEEDLESS = -1  # the mark of an observation that was taken for no leaf
+
+
+def start(chart: Chart, binding: Binding) -> State:
+    """Nothing was observed yet."""
+    return (*chart.start, 0, binding)
+
+
+def successors(chart: Chart, state: State, edges: Edges, noisy: bool) -> Iterator[tuple[int, State, float]]:
+    """The states that one observation leads to, each with the leaf it was taken for and its likelihood."""
+    closed, entered, size, missed, needless, binding = state
+    if noisy:
+        yield NEEDLESS, (closed, entered, size, missed, needless + 1, binding), 1.0
+    for leaf, after, likelihood in edges.get(binding, ()):
+        if not closed >> leaf & 1:
+            yield leaf, (*chart.close((closed, entered, size, missed), leaf), needless, after), likelihood
+
+
+def advance(chart: Chart, level: Level, edges: Edges, noisy: bool) -> Level:
+    """The next level. A chain of leaves takes one pass from left to right, other charts look at every state."""
+    advanced: Level = {}
+    if chart.is_chain:
+        if noisy:
+            advanced = {(c, e, n, m, needless + 1, b): count for (c, e, n, m, needless, b), count in level.items()}
+        return _along(chart.leaves, level, edges, advanced)
+    for state, count in level.items():
+        for _, following, _ in successors(chart, state, edges, noisy):
+            advanced[following] = advanced.get(following, 0) + count
+    return advanced
+
+
+def _along(leaves: int, level: Level, edges: Edges, advanced: Level) -> Level:
+    """Sums from left to right: what may be marked at leaf j is all that was marked before it."""
+    states = sorted(level.items(), key=lambda item: item[0][0])
+    passed: dict[Binding, dict[tuple[int, int], int]] = {}  # by binding: counts by (observed, needless)
+    moves = sorted(((leaf, before, after) for before, found in edges.items() for leaf, after, _ in found), key=_leaf)
+    at = 0
+    for leaf, before, after in moves:
+        while at < len(states) and states[at][0][0] < 1 << leaf:
+            (closed, _, _, missed, needless, binding), count = states[at]
+            sums = passed.setdefault(binding, {})
+            key = (closed.bit_length() - missed, needless)
+            sums[key] = sums.get(key, 0) + count
+            at += 1
+        for (observed, needless), count in passed.get(before, {}).items():
+            following = ((2 << leaf) - 1, 0, leaves, leaf - observed, needless, after)
+            advanced[following] = advanced.get(following, 0) + count
+    return advanced
+
+
+def _leaf(move: tuple[int, Binding, Binding]) -> int:
+    return move[0]
+
+
+def weigh(
+    chart: Chart, level: Level, weights: Mapping[State, Weight] | None, edges: Edges, noisy: bool
+) -> dict[State, Weight]:
+    """The weights of the next level; None stands for all paths being certain so far."""
+    weighed: dict[State, Weight] = {}
+    for state, count in level.items():
+        total, largest, ties = weights[state] if weights is not None else (float(count), 1.0, count)
+        for _, following, likelihood in successors(chart, state, edges, noisy):
+            there = weighed.get(following, (0.0, 0.0, 0))
+            reached = largest * likelihood
+            if reached > there[1]:
+                best, equal = reached, ties
+            else:
+                best, equal = there[1], there[2] + (ties if reached == there[1] else 0)
+            weighed[following] = (there[0] + total * likelihood, best, equal)
+    return weighed
