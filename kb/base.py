@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from functools import lru_cache
 from typing import TypeAlias
@@ -32,7 +32,7 @@ from casper.kb.writer import program_text, term_text
 Statement: TypeAlias = str | tuple[Term, ...]  # text, or a Compound / a tuple that starts with the name
 _EMPTY: History = ()
 _MISSING = object()
-MOST_ANSWERS = 100_000  # ground questions remembered between two changes
+MOST_INDEXED = 20_000  # statements up to which all that hold are kept in one set
 _statement_of_text = lru_cache(maxsize=4096)(read_statement)
 _query_of_text = lru_cache(maxsize=1024)(read_query)
 
@@ -46,7 +46,8 @@ class KnowledgeBase:
         self._dynamic: set[Indicator] = set(dynamic)
         self._statements: dict[Indicator, None] = {}
         self._cached: Model | None = None
-        self._remembered: dict[Statement, bool] = {}  # to ground questions
+        self._true: set[Statement] = set()  # stored statements that hold, once they are indexed
+        self._index_in: int | None = 0  # questions until they are
 
     # --- authoring -------------------------------------------------------------------------------------------------
 
@@ -124,21 +125,42 @@ class KnowledgeBase:
             ProgramError: nothing defines the predicate. BudgetExceeded: the answer is unknown.
         """
         try:
-            return self._remembered[statement]
-        except (KeyError, TypeError):
-            return self._asked(statement)
+            if statement in self._true:
+                return True
+        except TypeError:  # not hashable, so no statement: `_asked` says so
+            pass
+        return self._asked(statement)
 
     def _asked(self, statement: Statement) -> bool:
-        """Work a question out, and remember the answer to a ground one until something changes."""
-        model = self._model
+        """What the index of true statements does not know."""
+        model = self._cached or self._model
+        if self._index_in is not None:
+            self._index_in -= 1
+            if self._index_in < 0:
+                self._index(model)
+        if isinstance(statement, str):
+            statement = self._statement(statement)
+        relation = model.relations.get((statement[0], len(statement) - 1))
+        if relation is not None:
+            row = statement[1:]
+            if row in relation:
+                return True
+            for value in row:
+                if type(value) is not str:
+                    break
+            else:
+                return False  # every part is a name, so there is nothing to look for
         atom = self._statement(statement)
-        relation = model.relations.get(atom.indicator)
-        if relation is None or not is_ground(atom):
-            return next(self.instances(atom), None) is not None
-        holds = atom.args in relation
-        if len(self._remembered) < MOST_ANSWERS and isinstance(statement, Hashable):
-            self._remembered[statement] = holds
-        return holds
+        if relation is not None and is_ground(atom):
+            return atom.args in relation
+        return next(self.instances(atom), None) is not None
+
+    def _index(self, model: Model) -> None:
+        """One set of every stored statement that holds, where there are not too many: the fast way to a yes."""
+        self._index_in = None
+        if sum(map(len, model.relations.values())) <= MOST_INDEXED:
+            stored = model.relations.items()
+            self._true = {(name, *row) for (name, _), relation in stored for row in relation}
 
     def query(
         self,
@@ -319,7 +341,8 @@ class KnowledgeBase:
         elif self._clauses.pop(clause, _MISSING) is _MISSING and bulk.pop(atom.args, _MISSING) is _MISSING:
             return False
         if kept:
-            self._remembered.clear()
+            self._true = set()
+            self._index_in = MOST_INDEXED  # by then the questions have cost as much as indexing anew
             return model.change(atom.indicator, atom.args, clause if add else None, add=add)
         self._dynamic |= {atom.indicator}
         self._forget()
@@ -397,8 +420,7 @@ class KnowledgeBase:
 
     def _forget(self) -> None:
         """Everything has to be worked out anew."""
-        self._cached = None
-        self._remembered.clear()
+        self._cached, self._true, self._index_in = None, set(), 0
 
     @property
     def _model(self) -> Model:

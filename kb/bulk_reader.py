@@ -8,6 +8,7 @@ grammar as a whole, so that the mistake is told in its own words and place.
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Callable, Iterator
 
 from casper.kb.clauses import Clause, Sentence
@@ -72,8 +73,8 @@ def _sentences(text: str, file: str, parse: Parse) -> Iterator[Sentence]:
 
 def _clause(fact: re.Match[str], place: Place) -> Clause:
     arguments = [part.strip() for part in fact[2].split(",")]
-    values = [int(part) if part[0].isdigit() else part for part in arguments]
-    return Clause(Compound((fact[1], *values)), (), place)
+    values = [int(part) if part[0].isdigit() else sys.intern(part) for part in arguments]
+    return Clause(Compound((sys.intern(fact[1]), *values)), (), place)
 
 
 def _blank_end(text: str, at: int) -> int:

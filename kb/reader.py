@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import cache
@@ -267,9 +268,10 @@ def _term(tree: Tree[Any], names: _Anonymous) -> Term:
 
 
 def _name(token: Token) -> str:
+    """The atom a token spells, interned: rows are then compared by identity, as Python's own names are."""
     text = str(token)
     if token.type not in ("QUOTED", "TEXT"):
-        return text
+        return sys.intern(text)
     quote, inner = text[0], text[1:-1]
     parts, at = [], 0
     while at < len(inner):
@@ -282,7 +284,7 @@ def _name(token: Token) -> str:
         else:
             parts.append(inner[at])
             at += 1
-    return "".join(parts)
+    return sys.intern("".join(parts))
 
 
 def _number(token: Token, file: str) -> int | float:

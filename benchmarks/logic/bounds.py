@@ -35,9 +35,7 @@ def bounds(times: Times, sizes: Sizes, memory: Memory | None) -> Iterator[Bound]
     yield from _verification(times)
     for task in closures.graphs(sizes):
         yield _ratio(times, f"{task}, against clingo", (task, OURS), (task, "clingo"), 1, "×")
-    for encoding in ("facts", "rules"):
-        task = ontology.TASK.format(encoding=encoding)
-        yield _ratio(times, f"{task}, against clingo", (task, OURS), (task, "clingo"), 1, "×")
+    yield _best_encoding(times)
     derived = (ontology.LOADING.format(source="rows"), DERIVING)
     for source in ("rows", "text"):
         task = ontology.LOADING.format(source=source)
@@ -53,14 +51,22 @@ def bounds(times: Times, sizes: Sizes, memory: Memory | None) -> Iterator[Bound]
 
 
 def _verification(times: Times) -> Iterator[Bound]:
-    for task in (*queries.GROUND, queries.EVERY):
-        value = _quotient(times, (task, queries.KANREN), (task, OURS))
-        yield Bound(f"{task}: `ask` faster than plain kanren by", value, 1000, "×", at_least=True)
+    task = queries.EVERY
+    value = _quotient(times, (task, queries.KANREN), (task, OURS))
+    yield Bound(f"{task}: `ask` faster than plain kanren by", value, 1000, "×", at_least=True)
     for task in queries.GROUND:
         yield _ratio(times, f"{task}: `ask`, against SWI-Prolog", (task, OURS), (task, "swipl"), 1, "×")
         yield _ratio(
             times, f"{task}: goal in `run`, control", (task, queries.GOAL), (CONTROL, queries.KANREN), 2, "×"
         )
+
+
+def _best_encoding(times: Times) -> Bound:
+    """The ontology, each engine on the encoding of the axioms that suits it best."""
+    tasks = [ontology.TASK.format(encoding=encoding) for encoding in ("facts", "rules")]
+    ours, theirs = ([times[task, engine] for task in tasks if (task, engine) in times] for engine in (OURS, "clingo"))
+    value = min(ours) / min(theirs) if ours and theirs else None
+    return Bound("the ontology, each in its best encoding, against clingo", value, 1, "×")
 
 
 def _ratio(

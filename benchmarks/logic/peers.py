@@ -149,7 +149,7 @@ ENGINES: dict[str, Engine] = {OURS: casper, "clingo": clingo, "swipl": swipl}
 
 
 def derivations(task: str, programs: Sequence[Program], sizes: Sizes) -> Iterator[Figure | Skipped]:
-    """The figures of one derivation task, engine by engine; peers choose among the ways to put it."""
+    """The figures of one task, engine by engine; peers choose among the ways to put it."""
     for name, engine in ENGINES.items():
         outcome = engine(programs, sizes)
         if isinstance(outcome, str):
@@ -161,7 +161,7 @@ def derivations(task: str, programs: Sequence[Program], sizes: Sizes) -> Iterato
 
 
 def loadings(task: str, program: Program, sizes: Sizes) -> Iterator[Figure | Skipped]:
-    """Building the knowledge base and deriving, together, from rows and from text; beside the deriving in it."""
+    """Building the base and deriving, from rows and from text; beside it the deriving alone."""
     whole, alone = [], []
     for _ in range(sizes.repeats):
         building, kb = timed(partial(loaded, program))
