@@ -22,9 +22,9 @@ TITLE = "Kitchen verification"
 TIMED = (
     "One query, warm, all its answers. casper's `ask` takes a tuple and looks it up in the set of what holds, made "
     "when the base is first asked; the goal runs inside kanren's `run`; `query` takes text whose reading is "
-    "remembered. Plain kanren has the same rules, as `Relation` and `conde`. SWI-Prolog runs compiled goals in its own loop, the loop "
-    "subtracted; clingo's figure is a lookup in its grounding, without making the symbol. The control is kanren's "
-    "`run(1, True, eq(1, 1))`."
+    "remembered. Plain kanren has the same rules, as `Relation` and `conde`. SWI-Prolog runs compiled goals in its "
+    "own loop, the loop subtracted; clingo's figure is a lookup in its grounding, without making the symbol. The "
+    "control is kanren's `run(1, True, eq(1, 1))`."
 )
 Statement: TypeAlias = tuple[Any, ...]
 GOAL, QUERY, KANREN = f"{OURS} goal in run", f"{OURS} query", "kanren"
