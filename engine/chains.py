@@ -27,6 +27,8 @@ it, and how many leaves of any name right."""
 Standings: TypeAlias = list[tuple[int, float, int, int, int]]
 """For each plan that explains the observations: plan, sum of scores, count, leaves right of the best explanation's
 last marked leaf, how many explanations are as good."""
+Level: TypeAlias = tuple[str | None, dict[int, list[int]], Standings]
+"""The last name, each plan's counts as running sums over its leaves of that name, and what follows from them."""
 
 
 class Chains(Replay):
@@ -37,27 +39,36 @@ class Chains(Replay):
         self._positions = [positions_of(plan) for plan in plans]
         self._squares = [len(plan.leaves) ** 2 for plan in plans]
         self._tables: dict[tuple[str | None, str], list[Row]] = {}
-        self._own_goal = len(set(self.labels)) == len(plans)
+        self._is_simple = self.evenly and len(set(self.labels)) == len(plans)
         self._nothing = dict.fromkeys(self.labels, 0.0)
         begin: Standings = [(plan, 0.0, 1, len(plans[plan].leaves), 1) for plan in range(len(plans))]
-        self._levels: list[tuple[str | None, dict[int, list[int]], Standings]] = [
-            (None, {plan: [0, 1] for plan in range(len(plans))}, begin)
-        ]
+        self._levels: list[Level] = [(None, {plan: [0, 1] for plan in range(len(plans))}, begin)]
+        self._first: dict[str, Level] = {}  # by action: the level after it alone
 
     def observe(self, seen: Seen) -> None:
         """Advance every plan that has the action."""
-        action = seen.action
+        action, observations = seen.action, self.observations
+        observations.append(seen)
+        if len(observations) == 1:  # all counts are one: nothing depends on what was before
+            level = self._first.get(action)
+            if level is None:
+                level = self._first[action] = self._advanced(action)
+            self._levels.append(level)
+        else:
+            self._levels.append(self._advanced(action))
+
+    def _advanced(self, action: str) -> Level:
         last, before, _ = self._levels[-1]
         rows = self._tables.get((last, action))
         if rows is None:
             rows = self._table(last, action)
-        self.observations.append(seen)
         k = len(self.observations)
         running: dict[int, list[int]] = {}
         standings: Standings = []
         for plan, square, moves in rows:
-            if plan in before:
-                old, sums = before[plan], [0]
+            old = before.get(plan)
+            if old is not None:
+                sums = [0]
                 count = total = left = ties = 0
                 for cut, right in moves:
                     here = old[cut]
@@ -70,7 +81,7 @@ class Chains(Replay):
                 if count:
                     running[plan] = sums
                     standings.append((plan, k * (total + k * count) / square, count, left, ties))
-        self._levels.append((action, running, standings))
+        return action, running, standings
 
     def _table(self, last: str | None, action: str) -> list[Row]:
         rows: list[Row] = []
@@ -114,24 +125,27 @@ class Chains(Replay):
 
     def posterior(self) -> Mapping[str, float]:
         """Each goal's share of the sum of all scores, weighed by its prior."""
-        if not (self._own_goal and self.evenly):
+        if not self._is_simple:
             return super().posterior()
-        standings, shares = self._levels[-1][2], self._nothing.copy()
-        whole = sum([standing[1] for standing in standings])
+        shares, whole, labels = self._nothing.copy(), 0.0, self.labels
+        standings = self._levels[-1][2]
+        for standing in standings:
+            whole += standing[1]
         if whole:
             for plan, total, _, _, _ in standings:
-                shares[self.labels[plan]] = total / whole
+                shares[labels[plan]] = total / whole
         return shares
 
     def best(self) -> tuple[float, int, int, int] | None:
         """The best explanation: weight, plan, leaves right of its last marked one; how many of the plan are as good."""
         k, squares, priors = len(self.observations), self._squares, self.priors
-        best = None
-        for plan, _, _, left, ties in self._levels[-1][2]:
-            weight = priors[plan] * (k * (left + k) / squares[plan])
-            if best is None or weight > best[0]:
-                best = (weight, plan, left, ties)
-        return best
+        top, best = -1.0, None
+        for standing in self._levels[-1][2]:
+            plan = standing[0]
+            weight = priors[plan] * (k * (standing[3] + k) / squares[plan])
+            if weight > top:
+                top, best = weight, standing
+        return None if best is None else (top, best[0], best[3], best[4])
 
     def tops(self) -> list[tuple[float, int, int, int]]:
         """Per plan that explains the observations: weight of its best explanation, plan, leaves right of it, ties."""

@@ -16,6 +16,7 @@ from casper.kb.finding import Finding, Severity, finding_of, sorted_findings
 from casper.kb.program import Indicator
 from casper.kb.recovery import read_tolerantly
 from casper.kb.sources import Sources
+from casper.plans import telling_apart
 from casper.plans.check import check_plans, items_of
 from casper.plans.library import GOAL
 from casper.plans.relations import RELATIONS
@@ -109,6 +110,7 @@ def _as_a_whole(folder: Path, read: _Read) -> Iterator[Finding]:
         yield finding_of(mistake, Place(str(folder)))
         return
     yield from _asked_of(domain)
+    yield from telling_apart.findings(domain.library)
 
 
 def _asked_of(domain: Domain) -> Iterator[Finding]:

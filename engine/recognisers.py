@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, Self
@@ -16,7 +17,8 @@ from casper.kb.errors import CasperError
 from casper.plans.plan import Plan, is_plain
 
 MANY_PAIRS = 10
-MANY_PLANS = 100  # from here on arrays beat plain Python (benchmarks/recognition)
+MANY_LEAVES = 400  # of one name: from here on arrays beat plain Python (benchmarks/recognition/growth.py)
+MANY_PLANS = 2000  # here too: a posterior is no longer copied for each observation
 
 
 class Recogniser(Protocol):
@@ -114,7 +116,7 @@ def recogniser(plans: Sequence[Plan], matcher: Matcher, options: Options) -> Rec
         return Interleaving(plans, matcher, options.goals, options.noise, priors, options.measure, options.budget)
     if not plain:
         return Counting(plans, matcher, options.noise, priors, options.measure)
-    if len(plans) < MANY_PLANS or not _has_numpy():
+    if not _is_large(plans) or not _has_numpy():
         from casper.engine.chains import Chains
 
         return Chains(plans, matcher, priors)
@@ -129,6 +131,13 @@ def _by_name(plans: Sequence[Plan], matcher: Matcher) -> bool:
     if not named and type(matcher) is ParameterMatcher:
         named = all(len(leaf) == 1 for plan in plans for leaf in plan.leaves)
     return named and all(map(is_plain, plans))
+
+
+def _is_large(plans: Sequence[Plan]) -> bool:
+    """Whether an observation has so many leaves to look at, on average, that arrays pay."""
+    names = Counter(leaf[0] for plan in plans for leaf in plan.leaves)
+    looked_at = sum(number * number for number in names.values()) / sum(names.values())
+    return len(plans) >= MANY_PLANS or looked_at >= MANY_LEAVES
 
 
 def _has_numpy() -> bool:

@@ -8,7 +8,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from heapq import heapify, heappop, heappush
-from typing import Self
+from itertools import islice
+from typing import Any, Self
 
 from casper.engine.counting import Counting, posterior_by
 from casper.engine.explanation import Explanation
@@ -93,30 +94,56 @@ class Replay(ABC):
         """The sum of all scores, weighed by priors."""
         return sum([p * s for p, s in zip(self.priors, self.score_sums())])
 
+    @abstractmethod
+    def best(self) -> tuple[float, int, int, int] | None:
+        """The best explanation: weight, plan, leaves right of its last marked one, ties."""
+
     def explanations(self) -> Iterator[Explanation]:
         """Every explanation, best first, lazily: by weight, then plan, then marked leaves."""
-        whole = self.total()
-        heap: list[tuple[float, int, tuple[int, ...], Explanation | None, Iterator[Explanation]]] = [
-            (-weight, plan, (), None, self._alone(plan, whole)) for weight, plan, _, _ in self.tops()
-        ]
+        best = self.best()
+        if best is None:
+            return
+        whole, first = self.total(), best[1]
+        yield self._leftmost(first, whole)
+        heap: list[tuple[float, int, tuple[int, ...], Explanation | None, Iterator[Explanation] | None]] = []
+        for weight, plan, _, _ in self.tops():
+            if plan != first:
+                heap.append((-weight, plan, (), None, None))
         heapify(heap)
+        self._go_on(heap, first, self._alone(first, whole))
         while heap:
             _, plan, _, found, rest = heappop(heap)
-            if found is not None:
-                yield found
-            following = next(rest, None)
-            if following is not None:
-                weight = self.priors[plan] * following.score
-                heappush(heap, (-weight, plan, following.marks, following, rest))
+            yield found if found is not None else self._leftmost(plan, whole)
+            self._go_on(heap, plan, rest if rest is not None else self._alone(plan, whole))
+
+    def _go_on(self, heap: list[Any], plan: int, rest: Iterator[Explanation]) -> None:
+        following = next(rest, None)
+        if following is not None:
+            heappush(heap, (-self.priors[plan] * following.score, plan, following.marks, following, rest))
+
+    def _leftmost(self, plan: int, whole: float) -> Explanation:
+        """The best explanation of a plan: every observation is the first leaf that it can be."""
+        leaves, at, marks = self.plans[plan].leaves, 0, []
+        for seen in self.observations:
+            while leaves[at][0] != seen.action:
+                at += 1
+            marks.append(at)
+            at += 1
+        return self._told(plan, tuple(marks), whole)
+
+    def _told(self, plan: int, marks: tuple[int, ...], whole: float) -> Explanation:
+        leaves, k = len(self.plans[plan].leaves), len(marks)
+        score = k * (leaves - marks[-1] - 1 + k) / (leaves * leaves) if marks else 0.0
+        share = self.priors[plan] * score / whole if whole else 0.0
+        return Explanation(self.plans[plan], marks, self._binding(plan), score, share)
 
     def _alone(self, plan: int, whole: float) -> Iterator[Explanation]:
-        """The explanations of one plan, best first."""
+        """The other explanations of one plan, best first."""
         counting = Counting((self.plans[plan],), NameMatcher((self.plans[plan],)))
         for seen in self.observations:
             counting.observe(seen)
-        for found in counting.stream():
-            share = self.priors[plan] * found.score / whole if whole else 0.0
-            yield Explanation(self.plans[plan], found.marks, self._binding(plan), found.score, share)
+        for found in islice(counting.stream(), 1, None):
+            yield self._told(plan, found.marks, whole)
 
     def _binding(self, plan: int) -> tuple[None, ...]:
         binding = self.matcher.initial(plan)

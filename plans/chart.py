@@ -85,6 +85,8 @@ class Chart:
     def directly_before(self, leaf: int) -> list[int]:
         """The leaves that must come before this one, but for those that must come before another of them."""
         earlier = self.before[leaf]
+        if self.is_chain:
+            return [leaf - 1] if leaf else []
         covered = _union(self.before[j] for j in range(self.leaves) if earlier >> j & 1)
         return [j for j in range(self.leaves) if (earlier & ~covered) >> j & 1]
 

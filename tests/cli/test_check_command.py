@@ -53,8 +53,16 @@ def test_a_person_is_shown_the_line_with_a_caret_and_the_tally(casper, tmp_path)
     assert lines[-1] == "1 error, 1 warning, 1 note"
 
 
-def test_nothing_to_tell_is_said_so(casper):
-    assert casper("check", "kitchen").out.splitlines()[-1] == "nothing to find fault with"
+def test_nothing_to_tell_is_said_so(casper, tmp_path):
+    folder = domain(tmp_path, ontology="human(ann).\nwave(A) :- human(A).\n", plans="goal(greet).\ngreet --> wave.\n")
+    assert casper("check", folder).out.splitlines()[-1] == "nothing to find fault with"
+
+
+def test_the_kitchen_is_clean_but_for_how_late_a_goal_may_be_certain(casper):
+    told = casper("check", "kitchen")
+    assert told.code == 0
+    assert "breakfast and lunch may both be pursued after 4 observations" in told.out
+    assert told.out.splitlines()[-1] == "1 note"
 
 
 def test_no_such_domain_is_exit_code_2(casper):

@@ -1,0 +1,281 @@
+"""Readings of people as they really act: options, uncertain observations, forks, outlook, questions, pictures."""
+
+from __future__ import annotations
+
+import random
+from math import log2
+
+import pytest
+
+from casper import Domain
+from casper.engine.arrays import Arrays
+from casper.engine.chains import Chains
+from casper.engine.counting import Counting
+from casper.engine.interleaving import Interleaving
+from casper.engine.matching import NameMatcher, ParameterMatcher
+from casper.engine.outlook import entropy
+from casper.engine.pairs import Pairs
+from casper.engine.reading import Reading
+from casper.engine.recognisers import Options
+from casper.kb.errors import CasperError
+from casper.plans.library import PlanLibrary
+
+KITCHEN = Domain.load("kitchen")
+
+
+def reading(*observed, **options):
+    found = KITCHEN.reading(**options)
+    for action in observed:
+        found.observe(action)
+    return found
+
+
+def domain(tmp_path, plans):
+    (tmp_path / "plans.pl").write_text(plans)
+    return Domain.load(tmp_path)
+
+
+def test_a_needless_action_loses_the_paper_and_costs_its_price_with_noise():
+    seen = ("pick_and_place", "sip", "eat")
+    assert reading(*seen, verification=False).count == 0
+    tolerant = reading(*seen, verification=False, noise=0.1)
+    best = tolerant.best()[0]
+    assert (best.goal, best.needless) == ("breakfast", (1,))
+    assert best.score == pytest.approx(0.1 * 2 / 4)
+    assert tolerant.to_json()["best"][0]["needless"] == [2]
+
+
+def test_what_is_needless_altogether_is_no_explanation():
+    seen = reading("sip", noise=0.5, verification=False)
+    assert (seen.count, set(seen.rejected)) == (1, {"breakfast", "lunch"})
+
+
+def test_two_goals_explain_what_none_does_alone():
+    seen = reading("pick_and_place", "sip", "eat", goals=2)
+    told = seen.to_json()
+    assert told["best"][0]["goals"] == ["breakfast", "drink"]
+    assert told["posterior"]["drink"] == 1.0
+    assert sum(told["posterior"].values()) == pytest.approx(2.0)
+    assert reading("sip", goals=2).rejected == {"breakfast": ("breakfast has no sip",), "lunch": ("lunch has no sip",)}
+
+
+def test_with_two_goals_the_robot_helps_with_the_one_of_which_it_can_do_most():
+    plan = reading("pick_and_place", "sip", "eat", goals=2).plan_for("tiago")
+    assert plan.goal in ("breakfast", "drink")
+    assert len(plan.actions) == 2
+
+
+def test_an_uncertain_action_weighs_by_its_likelihoods():
+    seen = reading({"eat": 0.6, "sip": 0.3}, verification=False)
+    certain = {goal: reading(a, verification=False).best()[0].score for a, goal in (("eat", "breakfast"), ("sip", "drink"))}
+    assert seen.posterior["breakfast"] / seen.posterior["drink"] == pytest.approx(
+        0.6 * certain["breakfast"] / (0.3 * certain["drink"])
+    )
+    assert str(seen.observations[0]) == "eat: 0.6 | sip: 0.3"
+
+
+@pytest.mark.parametrize("likelihoods", [{}, {"eat": -0.1}, {"eat": 0}, {"eat": 0.7, "sip": 0.7}, {"eat": float("nan")}, {"eat": True}])
+def test_likelihoods_that_are_none_are_refused_and_change_nothing(likelihoods):
+    seen = reading("pick_and_place")
+    with pytest.raises(CasperError):
+        seen.observe(likelihoods)
+    assert len(seen.observations) == 1
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        ({"noise": -1}, "the price of a needless observation"),
+        ({"noise": 0}, "the price of a needless observation"),
+        ({"noise": 1.5}, "the price of a needless observation"),
+        ({"noise": float("nan")}, "the price of a needless observation"),
+        ({"goals": 0}, "the number of goals"),
+        ({"goals": 1.5}, "the number of goals"),
+        ({"budget": 0}, "budget"),
+        ({"score": "gut feeling"}, "there is no score 'gut feeling'; choose paper"),
+    ],
+)
+def test_options_that_make_no_sense_are_refused(options, sentence):
+    with pytest.raises(CasperError, match=sentence):
+        KITCHEN.reading(**options)
+
+
+def test_priors_are_facts_of_the_domain(tmp_path):
+    text = "goal(tea). goal(milk). tea --> boil, pour. milk --> open, pour. prior(tea, 0.9). prior(milk, 0.1)."
+    seen = domain(tmp_path, text).reading()
+    seen.observe("pour")
+    assert seen.posterior == pytest.approx({"tea": 0.9, "milk": 0.1})
+    assert (seen.outcome, seen.best()[0].goal) == (None, "tea")  # strict waits: boiling was missed
+
+
+@pytest.mark.parametrize(
+    ("facts", "sentence"),
+    [
+        ("prior(tea, 0.9). prior(milk, 0.2).", "the priors sum to 1.1, not to 1"),
+        ("prior(tea, 1).", "it lacks for milk"),
+        ("prior(tea, 0.5). prior(milk, 0.5). prior(soup, 0).", "soup is no goal"),
+        ("prior(tea, 0). prior(milk, 1).", "a prior is a number above 0"),
+        ("prior(tea, -1). prior(milk, 2).", "a prior is a number above 0"),
+        ("prior(tea, much). prior(milk, 1).", "a prior is a number above 0"),
+        ("prior(tea, 0.5). prior(tea, 0.4). prior(milk, 0.5).", "tea has two priors"),
+    ],
+)
+def test_priors_that_are_none_are_refused(tmp_path, facts, sentence):
+    with pytest.raises(CasperError, match=sentence):
+        domain(tmp_path, f"goal(tea). goal(milk). tea --> boil. milk --> open. {facts}").reading()
+
+
+def test_a_fork_asks_what_if():
+    now = reading("pick_and_place")
+    what_if = now.fork()
+    what_if.observe("eat")
+    assert (now.count, what_if.count) == (7, 3)
+    assert what_if.rejected.keys() == {"drink"} and not now.rejected
+
+
+def test_several_partners_share_a_library_and_not_a_reading():
+    base = KITCHEN.reading()
+    ann, bob = base.fork(), base.fork()
+    ann.observe("sip")
+    bob.observe("eat")
+    assert (ann.outcome, base.observations) == ("drink", ())
+    assert bob.posterior["breakfast"] > 0
+
+
+def test_scores_are_chosen_by_name():
+    seen = [reading("wash", score=name, verification=False).posterior for name in ("paper", "uniform", "coverage", "diligence")]
+    assert seen[1] == pytest.approx({"breakfast": 1 / 3, "drink": 1 / 3, "lunch": 1 / 3})
+    assert seen[0] != pytest.approx(seen[1])
+
+
+def test_the_next_action_is_the_first_that_misses_nothing():
+    assert reading("pick_and_place(meal, hobs)").next_actions == {"cook(meal, hobs)": 1.0}
+    assert reading("eat", "pick_and_place", "wash").next_actions == {None: 1.0}
+
+
+def test_outlooks_are_the_shares_of_the_explanations():
+    seen = reading("pick_and_place", "pick_and_place", verification=False)
+    frontiers = {}
+    for explanation in seen.explanations():
+        frontiers[explanation.frontier] = frontiers.get(explanation.frontier, 0.0) + explanation.share
+    assert seen.frontiers == pytest.approx(frontiers)
+    plans = {}
+    for explanation in seen.explanations():
+        plan = seen.plan_for("tiago", explanation)
+        plans[plan] = plans.get(plan, 0.0) + explanation.share
+    assert {p: s for p, s in seen.plans_for("tiago").items()} == pytest.approx(plans)
+    assert sum(seen.next_actions.values()) == pytest.approx(1.0)
+
+
+def test_the_best_question_for_a_tie_tells_the_goals_apart():
+    seen = reading("pick_and_place", "pick_and_place", "wash")
+    assert seen.outcome is None
+    question = seen.questions()[0]
+    assert (str(question), question.yes) == ("is the goal lunch?", pytest.approx(0.4))
+    assert question.gain == pytest.approx(entropy([0.4, 0.6]))
+
+
+def test_a_question_never_gains_more_than_there_is_to_know():
+    seen = reading("pick_and_place")
+    most = entropy(list(seen.posterior.values()))
+    gains = [question.gain for question in seen.questions()]
+    assert gains == sorted(gains, reverse=True)
+    assert all(0 <= gain <= min(most, 1.0) + 1e-9 for gain in gains)
+    assert most <= log2(3)
+
+
+@pytest.mark.parametrize(
+    ("goals", "options", "engine"),
+    [
+        (3, {}, Chains),
+        (200, {}, Chains),
+        (1000, {}, Arrays),
+        (3, {"noise": 0.1}, Counting),
+        (3, {"goals": 2}, Interleaving),
+        (20, {"goals": 2}, Pairs),
+        (20, {"goals": 3}, Interleaving),
+        (20, {"goals": 2, "noise": 0.1}, Interleaving),
+    ],
+)
+def test_a_reading_picks_its_engine(goals, options, engine):
+    library = PlanLibrary()
+    for number in range(goals):
+        library.plan(f"g{number}", "a", f"b{number % 7}", "c")
+    assert type(Reading(library, NameMatcher(library.ways), options=Options(**options))._engine) is engine
+
+
+def test_a_plan_with_shapes_or_parameters_is_counted_by_states():
+    shaped = PlanLibrary.from_text("goal(g). g --> optional(a), b.")
+    assert type(Reading(shaped, NameMatcher(shaped.ways))._engine) is Counting
+    bound = PlanLibrary.from_text("goal(g). g --> a(X), b(X).")
+    assert type(Reading(bound, ParameterMatcher(bound.ways))._engine) is Counting
+
+
+@pytest.mark.parametrize("options", [{}, {"goals": 2}])
+def test_a_fast_reading_takes_an_uncertain_action_too(options):
+    library = PlanLibrary()
+    for number in range(120):
+        library.plan(f"g{number}", "a", f"b{number % 7}", "c")
+    seen = Reading(library, NameMatcher(library.ways), options=Options(**options))
+    seen.observe("a")
+    seen.observe({"b1": 0.5, "b2": 0.25})
+    if options:
+        assert seen.posterior["g1"] > seen.posterior["g2"] > seen.posterior["g3"]
+    else:
+        assert seen.posterior["g1"] == pytest.approx(2 * seen.posterior["g2"])
+
+
+def test_optional_steps_are_no_part_of_a_plan_until_one_is_seen(tmp_path):
+    seen = domain(tmp_path, "goal(tea). tea --> boil, optional((milk, stir)), drink.").reading()
+    seen.observe("boil")
+    seen.observe("drink")
+    assert seen.best()[0].score == 1.0
+    assert seen.best()[0].status == ("observed", "skipped", "skipped", "observed")
+    with_milk = domain(tmp_path, "goal(tea). tea --> boil, optional((milk, stir)), drink.").reading()
+    for action in ("boil", "milk", "drink"):
+        with_milk.observe(action)
+    assert with_milk.best()[0].status == ("observed", "observed", "missed", "observed")
+    assert with_milk.best()[0].score == pytest.approx(3 / 4 * 3 / 4)
+
+
+def test_unordered_items_are_done_one_after_the_other_in_any_order(tmp_path):
+    text = "goal(tidy). tidy --> unordered((take, put), wipe)."
+    first = domain(tmp_path, text).reading()
+    for action in ("wipe", "take", "put"):
+        first.observe(action)
+    assert first.best()[0].missed == 0
+    broken = domain(tmp_path, text).reading()
+    for action in ("take", "wipe"):
+        broken.observe(action)
+    assert broken.best()[0].status == ("observed", "missed", "observed")
+
+
+def test_goals_of_seventeen_partly_ordered_steps_are_told_apart_while_five_interleave():
+    chance, things, names = random.Random(3), ["cup", "pot", "pan", "jar"], [f"do{n}" for n in range(30)]
+    lines, plans = [], []
+    for number in range(20):
+        steps = [(f"s{at}", f"{chance.choice(names)}(X, {chance.choice(things)})") for at in range(chance.randint(5, 17))]
+        pairs = [f"s{a} < s{b}" for a in range(len(steps)) for b in range(a + 1, len(steps)) if chance.random() < 0.15]
+        lines.append(f"g{number}(X) --> steps([{', '.join(f'{n}: {s}' for n, s in steps)}], [{', '.join(pairs)}]).")
+        thing = chance.choice(things)
+        plans.append([step.replace("X", thing) for _, step in steps])
+    library = PlanLibrary.from_text("\n".join(lines))
+    pursued = chance.sample(range(20), 5)
+    rows = [plans[number][:6] for number in pursued]  # steps are written in an order that fits
+    seen = Reading(library, ParameterMatcher(library.ways), options=Options(goals=5))
+    while any(rows):
+        seen.observe(chance.choice([row for row in rows if row]).pop(0))
+    assert set(seen.best()[0].goals) == {f"g{number}" for number in pursued}
+    likeliest = sorted(seen.posterior, key=seen.posterior.get)[-5:]
+    assert set(likeliest) == {f"g{number}" for number in pursued}
+
+
+def test_a_bounded_search_says_so_in_json():
+    library = PlanLibrary()
+    for number in range(12):
+        library.plan(f"g{number}", *"abab")
+    seen = Reading(library, NameMatcher(library.ways), options=Options(goals=3, budget=5))
+    for action in "abab":
+        seen.observe(action)
+    assert not seen.is_exact
+    assert seen.to_json()["exact"] is False
