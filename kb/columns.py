@@ -7,6 +7,7 @@ rows up by any columns, and testing for duplicates all stay near-linear in the r
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import chain
 from typing import TypeAlias
 
 import numpy as np
@@ -16,6 +17,7 @@ from casper.kb.terms import Term
 
 Ids: TypeAlias = NDArray[np.int64]
 MOST_CODES = 1 << 62  # rows are coded as one integer: constants ** arity must stay below
+MOST_DIRECT = 1 << 20  # constants up to which an index by one column has an entry for each
 BITMAP = 1 << 26  # up to so many possible rows a table keeps a bitmap of those it has
 
 
@@ -39,9 +41,12 @@ class Interner:
 
     def columns(self, rows: Iterable[Sequence[Term]], arity: int) -> list[Ids]:
         """Rows as columns of numbers."""
-        intern = self.intern
-        flat = np.fromiter((intern(value) for row in rows for value in row), dtype=np.int64)
-        return list(flat.reshape(-1, arity).T.copy()) if arity else []
+        flat = list(chain.from_iterable(rows))
+        fresh = [constant for constant in dict.fromkeys(flat) if constant not in self.numbers]
+        self.numbers.update(zip(fresh, range(len(self.constants), len(self.constants) + len(fresh))))
+        self.constants.extend(fresh)
+        numbers = np.fromiter(map(self.numbers.__getitem__, flat), np.int64, len(flat))
+        return list(numbers.reshape(-1, arity).T.copy()) if arity else []
 
     def __len__(self) -> int:
         return len(self.constants)
@@ -56,14 +61,31 @@ class Run:
         self.columns, self.rounds, self.size = columns, rounds, len(rounds)
         self._indexes: dict[tuple[int, ...], tuple[Ids, Ids]] = {}
 
-    def index(self, columns: tuple[int, ...], base: int) -> tuple[Ids, Ids]:
-        """(sorted keys, the positions in that order) for the values of some columns, coded to one number."""
+    def spans(self, columns: tuple[int, ...], base: int, keys: Ids) -> tuple[Ids, Ids, Ids]:
+        """For each key the rows that have it on some columns: where they begin, how many; and the order they are in."""
         found = self._indexes.get(columns)
         if found is None:
-            keys = code([self.columns[c] for c in columns], base, self.size)
-            order = np.argsort(keys, kind="stable")
-            found = self._indexes[columns] = (keys[order], order)
-        return found
+            found = self._indexes[columns] = self._index(columns, base)
+        directory, order = found
+        if _is_direct(columns, base):  # the directory says where each constant's rows begin
+            low = directory[keys]
+            return low, directory[keys + 1] - low, order
+        low = np.searchsorted(directory, keys, "left")
+        return low, np.searchsorted(directory, keys, "right") - low, order
+
+    def _index(self, columns: tuple[int, ...], base: int) -> tuple[Ids, Ids]:
+        keys = code([self.columns[c] for c in columns], base, self.size)
+        order = np.argsort(keys, kind="stable")
+        if _is_direct(columns, base):
+            begins = np.zeros(base + 1, np.int64)
+            np.cumsum(np.bincount(keys, minlength=base), out=begins[1:])
+            return begins, order
+        return keys[order], order
+
+
+def _is_direct(columns: tuple[int, ...], base: int) -> bool:
+    """Whether an index has an entry for every constant: by one column, of not too many constants."""
+    return len(columns) == 1 and base <= MOST_DIRECT
 
 
 class Table:
@@ -102,14 +124,7 @@ class Table:
         """Which of the row codes are there."""
         if self._bitmap is not None:
             return self._bitmap[codes]
-        every = tuple(range(self.arity))
-        found = np.zeros(len(codes), dtype=bool)
-        for run in self.runs:
-            keys, _ = run.index(every, self.base)
-            at = np.searchsorted(keys, codes)
-            inside = at < len(keys)
-            found[inside] |= keys[at[inside]] == codes[inside]
-        return found
+        return self.any_match(tuple(range(self.arity)), codes)
 
     def _push(self, run: Run) -> None:
         """Append a run, merging it with its neighbours while they are not much larger."""
@@ -129,9 +144,7 @@ class Table:
         return which, [np.concatenate([run.columns[c][at] for run, at in found]) for c in range(self.arity)]
 
     def _join_run(self, run: Run, columns: tuple[int, ...], keys: Ids) -> tuple[Ids, Ids]:
-        sorted_keys, order = run.index(columns, self.base)
-        low = np.searchsorted(sorted_keys, keys, "left")
-        counts = np.searchsorted(sorted_keys, keys, "right") - low
+        low, counts, order = run.spans(columns, self.base, keys)
         which = np.repeat(np.arange(len(keys)), counts)
         offsets = np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
         return which, order[np.repeat(low, counts) + offsets]
@@ -140,10 +153,8 @@ class Table:
         """For each key whether some row has it on the columns."""
         found = np.zeros(len(keys), dtype=bool)
         for run in self.runs:
-            sorted_keys, _ = run.index(columns, self.base)
-            at = np.searchsorted(sorted_keys, keys)
-            inside = at < len(sorted_keys)
-            found[inside] |= sorted_keys[at[inside]] == keys[inside]
+            _, counts, _ = run.spans(columns, self.base, keys)
+            found |= counts > 0
         return found
 
     def all_rows(self) -> list[Ids]:
