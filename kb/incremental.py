@@ -66,14 +66,15 @@ class Maintenance:
         came: Change = defaultdict(dict)
         went: Change = defaultdict(dict)
         for stratum in self.program.strata:
-            over = self._overdelete(given, relations, stratum, removed, came, went)
+            disturbed = removed or came or went
+            over: Change = self._overdelete(given, relations, stratum, removed, came, went) if disturbed else {}
             for indicator, rows in over.items():
                 for row in rows:
                     relations[indicator].remove(row)
-            fresh: Change = {i: dict(added[i]) for i in stratum if added.get(i)}
+            fresh: Change = {i: dict(rows) for i, rows in added.items() if i in stratum}
             self._rederive(given, relations, over, fresh)
             round_, new = self._insert(relations, stratum, fresh, came, went, round_)
-            for indicator in stratum:
+            for indicator in {*over, *new}:
                 old, now = over.get(indicator, {}), new.get(indicator, {})
                 came[indicator] = {row: None for row in now if row not in old}
                 went[indicator] = {row: None for row in old if row not in now}
