@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from casper.kb.clauses import Clause, Literal
 from casper.kb.columns import MOST_CODES, Ids, Interner, Table, code
@@ -156,7 +157,7 @@ class ColumnStratum:
         args = literal.atom.args
         bound = tuple(c for c, arg in enumerate(args) if not isinstance(arg, Variable) or arg in frame)
         keys = code([self._column(args[c], frame, size) for c in bound], table.base, size)
-        return _filtered(frame, ~table.any_match(bound, keys), size)
+        return _filtered(frame, ~table.any_match(bound, keys))
 
     def _compare(self, literal: Literal, frame: Frame, size: int) -> tuple[Frame, int]:
         operator, left, right = literal.atom
@@ -165,10 +166,11 @@ class ColumnStratum:
             if isinstance(one, Variable) and one not in frame and wants_equal:
                 return {**frame, one: self._column(other, frame, size)}, size
         equal = self._column(left, frame, size) == self._column(right, frame, size)
-        return _filtered(frame, equal if wants_equal else ~equal, size)
+        return _filtered(frame, equal if wants_equal else ~equal)
 
 
-def _filtered(frame: Frame, keep: np.ndarray[tuple[int, ...], np.dtype[np.bool_]], size: int = -1) -> tuple[Frame, int]:
+def _filtered(frame: Frame, keep: NDArray[np.bool_]) -> tuple[Frame, int]:
+    """The partial solutions that are kept, and how many."""
     if keep.all():
         return frame, len(keep)
     return {variable: values[keep] for variable, values in frame.items()}, int(keep.sum())

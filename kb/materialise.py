@@ -10,8 +10,6 @@ goes to numpy columns (`kb.columnar`).
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from casper.kb.clauses import Clause
 from casper.kb.errors import BudgetExceeded
 from casper.kb.join import Emit, Join
@@ -115,6 +113,3 @@ def check_size(sizes: dict[Indicator, int], most_rows: int) -> None:
     if sum(sizes.values()) > most_rows:
         name, arity = max(sizes, key=lambda indicator: sizes[indicator])
         raise BudgetExceeded(f"there are more than {most_rows} facts; {name}/{arity} has most of them")
-
-
-SizeCheck = Callable[[dict[Indicator, int]], None]

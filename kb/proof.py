@@ -86,11 +86,6 @@ class Proof:
         return found[id(self)]
 
 
-def facts_of(proof: Proof) -> Iterator[Compound]:
-    """The given facts a proof rests on, each once."""
-    return (node.fact for node in proof.premises_first() if _kind(node) == "fact")
-
-
 def _lines(proof: Proof) -> Iterator[str]:
     waiting = [(proof, "", "")]  # with what stands before its first line, and before those of its premises
     while waiting:
