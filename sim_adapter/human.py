@@ -15,13 +15,13 @@ from casper.sim_adapter.human_walk import HumanWalk
 from casper.sim_adapter.navigation import Navigator
 from casper.sim_adapter.physics import Physics
 from casper.sim_adapter.scene import Point
-from casper.sim_adapter.steps import SKILLS, Step, StepFailed, StepQueue, Ticks, check_objects
+from casper.sim_adapter.steps import SKILLS, Step, StepFailed, StepQueue, Ticks, Worker, check_objects
 
 MOVEMENTS = ("still", "walk", "transport", "pick", "place")
 AT_HAND = 0.35  # metres within which an object counts as being at the destination of its use
 
 
-class Human:
+class Human(Worker):
     """Does steps one after another. ``movement`` is what the script is doing at this moment, one of MOVEMENTS.
 
     Args:
@@ -84,26 +84,6 @@ class Human:
     def holding(self) -> str | None:
         """What is in its hand."""
         return self.body.holding
-
-    @property
-    def current(self) -> Step | None:
-        """The step under way."""
-        return self.queue.current
-
-    @property
-    def done(self) -> list[Step]:
-        """Steps finished, in order."""
-        return self.queue.done
-
-    @property
-    def failed(self) -> list[tuple[Step, str]]:
-        """Steps that could not be finished, with the reason."""
-        return self.queue.failed
-
-    @property
-    def idle(self) -> bool:
-        """Nothing to do."""
-        return self.queue.idle
 
     def do(self, steps: Iterable[Step]) -> None:
         """Queue steps.

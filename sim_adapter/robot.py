@@ -15,7 +15,7 @@ from casper.sim_adapter.robot_base import RobotBase
 from casper.sim_adapter.robot_hand import RobotHand
 from casper.sim_adapter.robot_head import RobotHead
 from casper.sim_adapter.scene import Point
-from casper.sim_adapter.steps import Step, StepFailed, StepQueue, Ticks, check_objects
+from casper.sim_adapter.steps import Step, StepFailed, StepQueue, Ticks, Worker, check_objects
 
 ROBOT_SKILLS = ("pick_and_place", "use")
 RINGS = (0.6, 0.52, 0.64, 0.48, 0.44, 0.66, 0.68, 0.70)  # distances to stand at beside the preferred one
@@ -24,7 +24,7 @@ WAIT_FOR_SPACE = 15.0  # seconds it waits for the best standing places to become
 BESIDE = 0.06  # metres an object must be away from the arm's way at least
 
 
-class Robot:
+class Robot(Worker):
     """Does steps one after another, and watches from its ``post`` when there are none.
 
     Args:
@@ -65,26 +65,6 @@ class Robot:
     def holding(self) -> str | None:
         """What is in the gripper."""
         return self.physics.held_by(self.name)
-
-    @property
-    def current(self) -> Step | None:
-        """The step under way."""
-        return self.queue.current
-
-    @property
-    def done(self) -> list[Step]:
-        """Steps finished, in order."""
-        return self.queue.done
-
-    @property
-    def failed(self) -> list[tuple[Step, str]]:
-        """Steps that could not be finished, with the reason; the steps after a failed one fail with it."""
-        return self.queue.failed
-
-    @property
-    def idle(self) -> bool:
-        """Nothing to do."""
-        return self.queue.idle
 
     def do(self, steps: Iterable[Step]) -> None:
         """Queue steps.

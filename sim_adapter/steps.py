@@ -81,3 +81,29 @@ class StepQueue:
         else:
             self.failed.append((self.current, reason))
         self.current = None
+
+
+class Worker:
+    """Somebody who works through a queue of steps: what there is to say about how far they are."""
+
+    queue: StepQueue
+
+    @property
+    def current(self) -> Step | None:
+        """The step under way."""
+        return self.queue.current
+
+    @property
+    def done(self) -> list[Step]:
+        """Steps finished, in order."""
+        return self.queue.done
+
+    @property
+    def failed(self) -> list[tuple[Step, str]]:
+        """Steps that could not be finished, with the reason."""
+        return self.queue.failed
+
+    @property
+    def idle(self) -> bool:
+        """Nothing to do."""
+        return self.queue.idle
