@@ -1,8 +1,13 @@
-"""Collaboration: which part of the frontier the robot takes, and what it waits for (paper section III-G)."""
+"""Collaboration: which part of the frontier the robot takes, and what it waits for (paper section III-G).
+
+The paper's frontier is a row, and the robot's part the longest run of it that the robot can do. Where a plan leaves the
+order open, a run is a set of open leaves that can be done in one go: nothing that others must do comes between two of
+them. The robot waits only for what must come before its run.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -16,7 +21,7 @@ class CollaborativePlan:
     """What an agent will do for a goal.
 
     ``actions`` is the longest run of the frontier that it can do; ``waiting`` what the partner does before that.
-    ``leaves`` are the numbers of the plan's leaves behind ``actions``.
+    ``leaves`` and ``awaited`` are the numbers of the plan's leaves behind ``actions`` and ``waiting``.
     """
 
     agent: str
@@ -24,6 +29,15 @@ class CollaborativePlan:
     waiting: tuple[Compound, ...]
     actions: tuple[Compound, ...]
     leaves: tuple[int, ...]
+    awaited: tuple[int, ...] = ()
+
+    def after(self, explanation: Explanation) -> CollaborativePlan:
+        """What is left of it by an explanation of the same plan: what was done since is left out."""
+
+        def left(leaves: Sequence[int], actions: Sequence[Compound]) -> list[tuple[int, Compound]]:
+            return [pair for pair in zip(leaves, actions) if not explanation.closed >> pair[0] & 1]
+
+        return _plan(self.agent, self.goal, left(self.awaited, self.waiting), left(self.leaves, self.actions))
 
     def to_json(self) -> dict[str, Any]:
         """``{"agent", "goal", "waiting": [action], "actions": [action]}``."""
@@ -40,26 +54,62 @@ Capability: TypeAlias = Callable[[Explanation, int, str], tuple[Compound, bool]]
 
 
 def collaborative_plan(agent: str, explanation: Explanation, capability: Capability) -> CollaborativePlan:
-    """The agent's part in finishing an explanation's plan: the longest run of its frontier that the agent can do."""
-    frontier = explanation.open_leaves
-    able = [capability(explanation, leaf, agent) for leaf in frontier]
-    start, stop = longest_run([can for _, can in able])
-    actions = [action for action, _ in able]
-    return CollaborativePlan(
-        agent, explanation.goal, tuple(actions[:start]), tuple(actions[start:stop]), frontier[start:stop]
-    )
+    """The agent's part in finishing an explanation's plan: the longest run of its frontier that the agent can do.
 
-
-def longest_run(able: Sequence[bool]) -> tuple[int, int]:
-    """The longest run of True as (start, stop); (n, n) when there is none.
-
-    Of two equally long ones the later: the partner is least disturbed, and the robot has most time to get ready.
+    It waits for no optional part that was not begun: it may never come.
     """
-    best = (len(able), len(able))
-    start = 0
-    for stop in range(len(able) + 1):
-        if stop == len(able) or not able[stop]:
-            if stop - start > 0 and stop - start >= best[1] - best[0]:
-                best = (start, stop)
-            start = stop + 1
-    return best
+    before = explanation.plan.chart.before
+    actions: dict[int, Compound] = {}
+    able: list[int] = []
+    for leaf in explanation.open_leaves:
+        actions[leaf], can = capability(explanation, leaf, agent)
+        if can:
+            able.append(leaf)
+    run = longest_run(able, [leaf for leaf in actions if leaf not in able], before)
+    needed = _union(before[leaf] for leaf in run) if run else -1  # nothing to do: everything is left to the partner
+    awaited = [leaf for leaf in actions if (needed & explanation.belonging) >> leaf & 1 and leaf not in run]
+    return _plan(agent, explanation.goal, [(a, actions[a]) for a in awaited], [(a, actions[a]) for a in run])
+
+
+def longest_run(able: Sequence[int], others: Sequence[int], before: Sequence[int]) -> tuple[int, ...]:
+    """The most leaves of ``able`` that can be done in one go once some of the ``others`` are done.
+
+    Of two equally long runs the one that more comes before: the partner is least disturbed, and the agent has most
+    time to get ready. Tried are the others that one able leaf waits for, and those that it and all to its left do.
+
+    Args:
+        able: the open leaves that the agent can do, in order.
+        others: the open leaves that it cannot do.
+        before: per leaf of the plan the mask of those that come before it.
+    """
+    theirs = _union(1 << leaf for leaf in others)
+    best: tuple[int, int, tuple[int, ...]] = (0, 0, ())
+    for done in _stages(able, theirs, before):
+        past = _union(before[leaf] for leaf in others if done >> leaf & 1)
+        run = tuple(leaf for leaf in able if not (before[leaf] & theirs & ~done or past >> leaf & 1))
+        best = max(best, (len(run), done.bit_count(), run))
+    return best[2]
+
+
+def _stages(able: Sequence[int], theirs: int, before: Sequence[int]) -> Iterator[int]:
+    """Masks of what the others may have done when the agent begins."""
+    together = 0
+    for leaf in able:
+        needed = before[leaf] & theirs
+        together |= needed
+        yield needed
+        yield together
+
+
+def _plan(
+    agent: str, goal: str, waiting: Sequence[tuple[int, Compound]], actions: Sequence[tuple[int, Compound]]
+) -> CollaborativePlan:
+    awaited, waits = tuple(at for at, _ in waiting), tuple(action for _, action in waiting)
+    return CollaborativePlan(agent, goal, waits, tuple(a for _, a in actions), tuple(at for at, _ in actions), awaited)
+
+
+def _union(masks: Iterable[int]) -> int:
+    total = 0
+    for mask in masks:
+        total |= mask
+    return total

@@ -31,7 +31,6 @@ from casper.engine.paths import best_first
 from casper.engine.policy import Standing
 from casper.engine.scoring import Score, paper
 from casper.engine.states import NEEDLESS, Edges, Level, State, Weight, advance, start, successors, weigh
-from casper.plans.chart import chart_of
 from casper.plans.plan import Plan
 
 
@@ -88,7 +87,7 @@ class Counting:
     ) -> None:
         self.plans, self.matcher, self.noise, self.measure = plans, matcher, noise, measure
         self.priors = priors or (1.0,) * len(plans)
-        self.charts = [chart_of(plan) for plan in plans]
+        self.charts = [plan.chart for plan in plans]
         self._positions = [positions_of(plan) for plan in plans]
         self.observations: list[Seen] = []
         self.mismatches: list[dict[int, dict[str, None]]] = [{}]  # after each observation, by plan: why it was cut

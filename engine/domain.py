@@ -127,7 +127,8 @@ class Domain:
     def capability(self, explanation: Explanation, leaf: int, agent: str) -> tuple[Compound, bool]:
         """A leaf's action with every part filled in that can be, and whether the knowledge base lets the agent do it.
 
-        What lies before the leaf is taken as done by then. A domain that verifies nothing lets nobody do anything.
+        What is closed, and what comes before the leaf, is taken as done by then. A domain that verifies nothing lets
+        nobody do anything.
         """
         plan = explanation.plan
         binding = explanation.binding or (None,) * len(plan.variables)
@@ -136,7 +137,9 @@ class Domain:
         settled = settle(self.kb, plan, binding) if self.kb.defines(*GOAL) else binding
         known = bindings_of(plan, binding if isinstance(settled, Mismatch) else settled)
         actions = [substitute(action, known) for action in plan.leaves]
-        history = [(Compound((a.functor, self.partner, *a.args)), float(t)) for t, a in enumerate(actions[:leaf])]
+        done = explanation.closed | plan.chart.before[leaf]
+        earlier = [action for at, action in enumerate(actions) if done >> at & 1]
+        history = [(Compound((a.functor, self.partner, *a.args)), float(t)) for t, a in enumerate(earlier)]
         action = actions[leaf]
         verdict = self.kb.verify(Compound((action.functor, agent, *action.args)), history)
         filled = verdict.completed if verdict.valid else verdict.statement

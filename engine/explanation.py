@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from casper.engine.matching import Binding, bindings_of
 from casper.kb.terms import Compound, as_term, substitute
 from casper.kb.writer import term_text
-from casper.plans.chart import chart_of
 from casper.plans.plan import Plan
 from casper.plans.tree import Status, plan_tree
 
@@ -55,21 +54,35 @@ class Explanation:
         return tuple(substitute(leaf, known) for leaf in self.plan.leaves)
 
     @cached_property
-    def status(self) -> tuple[Status, ...]:
-        """The status of every leaf."""
-        chart = chart_of(self.plan)
-        progress, belongs = chart.start, 0
+    def _reached(self) -> tuple[int, int]:
+        """Masks of the closed leaves, and of those that belong to the plan by now."""
+        chart = self.plan.chart
+        progress, entered = chart.start, 0
         for leaf in self.marks:
             progress = chart.close(progress, leaf)
-            belongs |= chart.inside[leaf]
-        closed = progress[0]
-        belongs = chart.belonging(belongs)
+            entered |= chart.inside[leaf]
+        return progress[0], chart.belonging(entered)
+
+    @property
+    def closed(self) -> int:
+        """Mask of the leaves that are observed, missed or passed over (bit j = leaf j)."""
+        return self._reached[0]
+
+    @property
+    def belonging(self) -> int:
+        """Mask of the leaves that belong to the plan: all but those of optional parts nothing was observed of."""
+        return self._reached[1]
+
+    @cached_property
+    def status(self) -> tuple[Status, ...]:
+        """The status of every leaf."""
+        closed, belonging = self._reached
         return tuple(
             "observed" if leaf in self.marks
             else "unobserved" if not closed >> leaf & 1
-            else "missed" if belongs >> leaf & 1
+            else "missed" if belonging >> leaf & 1
             else "skipped"
-            for leaf in range(chart.leaves)
+            for leaf in range(len(self.plan.leaves))
         )  # fmt: skip
 
     @property

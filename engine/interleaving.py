@@ -26,7 +26,6 @@ from casper.engine.paths import best_first
 from casper.engine.policy import Standing
 from casper.engine.scoring import Score, paper
 from casper.engine.states import NEEDLESS, State, Weight, start
-from casper.plans.chart import chart_of
 from casper.plans.plan import Plan
 
 Part: TypeAlias = tuple[int, State]  # plan, and where it stands
@@ -62,7 +61,7 @@ class Interleaving:
         self.measure, self.budget = measure, budget
         self.priors = priors or (1.0,) * len(plans)
         self.labels = [plan.label for plan in plans]
-        self.charts = [chart_of(plan) for plan in plans]
+        self.charts = [plan.chart for plan in plans]
         self._holders: dict[str, list[tuple[int, list[int]]]] = {}  # by action: plans and their leaves of that name
         self._starts: dict[int, State] = {}
         self.observations: list[Seen] = []

@@ -5,7 +5,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 from casper.engine.actions import Prediction, action_recogniser, context_table, contextualise
@@ -19,6 +20,7 @@ from casper.engine.supervisor import Supervisor
 from casper.engine.tracking import Tracker, tracker_settings
 from casper.engine.verification import Statement, Verifier
 from casper.engine.world import WorldState
+from casper.kb.errors import CasperError
 from casper.kb.terms import as_term
 from casper.kb.validity import Verdict
 from casper.kb.writer import term_text
@@ -32,17 +34,29 @@ class Mind:
         verification: False never asks the knowledge base about an observation; the explainer sees names only.
         policy: when to commit to a goal (`engine.policy`).
         helps: False predicts without planning to help.
+        noise, goals: as for `casper.engine.domain.Domain.reading`: needless actions at a price, several goals at once.
+        stops: an action that fits no plan any more ends it; by default it is reported and left out.
 
     Raises:
         DomainError: the domain lacks what perception needs (movements, transitions, …), or a setting is wrong.
+        CasperError: a price or a number of goals that is none.
     """
 
     def __init__(
-        self, domain: Domain, *, verification: bool = True, policy: str = "strict", helps: bool = True
+        self,
+        domain: Domain,
+        *,
+        verification: bool = True,
+        policy: str = "strict",
+        helps: bool = True,
+        noise: float | None = None,
+        goals: int = 1,
+        stops: bool = False,
     ) -> None:
         rows = domain.kb.rows
-        self.domain = domain
-        self.verification, self.policy, self.helps = verification, policy, helps
+        self.domain, self.stops = domain, stops
+        choices: dict[str, Any] = {"verification": verification, "policy": policy, "helps": helps}
+        self.like: Callable[[Domain], Mind] = partial(Mind, **choices, noise=noise, goals=goals, stops=stops)
         self.tracker = Tracker(tracker_settings(rows))
         self.perception = Perception(perception_settings(rows), domain.partner)
         self.focus = FocusEstimator(focus_settings(rows))
@@ -50,7 +64,7 @@ class Mind:
         self.actions = action_recogniser(rows)
         self.contexts = context_table(rows)
         self.verifier = Verifier(domain.kb) if verification and domain.verifies else None
-        self.reading = domain.reading(policy, verification)
+        self.reading = domain.reading(policy, verification, noise, goals)
         self.supervisor = Supervisor(self.reading, domain.robot if helps else None)
         self._known_actions = {name for name, _ in domain.library.actions}
         self._refused: str | None = None  # the statement that was refused last: its verdict is told once
@@ -61,6 +75,7 @@ class Mind:
         Raises:
             WorldStateError: time does not advance, or a coordinate is no finite number; the state is not taken in,
                 and the mind can go on with the next one.
+            CasperError: the mind was told to stop at an action that fits no plan, and there was one.
         """
         relations = self.perception.update(self.tracker.update(world))
         if relations is None:
@@ -113,6 +128,8 @@ class Mind:
             reasons = self.reading.rejected
             self.reading.undo()
             told = "; ".join(f"{goal}: {', '.join(why)}" for goal, why in reasons.items())
+            if self.stops:
+                raise CasperError(f"{observation} fits no plan any more ({told})")
             yield Event("warning", t, {"message": f"{observation} fits no plan any more and is left out ({told})"})
             return
         yield Event("reading", t, self.reading.to_json())

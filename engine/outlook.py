@@ -16,7 +16,6 @@ from casper.engine.matching import Binding, bindings_of
 from casper.engine.recognisers import Recogniser
 from casper.kb.terms import Compound, as_term, substitute
 from casper.kb.writer import term_text
-from casper.plans.chart import chart_of
 from casper.plans.plan import Plan
 
 Kind: TypeAlias = Literal["goal", "done", "step", "next"]
@@ -118,7 +117,7 @@ class Outlook:
 
     def _next(self, plan: int, closed: int, binding: Binding) -> Iterator[str]:
         known = bindings_of(self.plans[plan], binding) if binding else {}
-        for leaf in chart_of(self.plans[plan]).next_leaves(closed):
+        for leaf in self.plans[plan].chart.next_leaves(closed):
             yield _shown(substitute(self.plans[plan].leaves[leaf], known))
 
     def _frontier(self, plan: int, closed: int, binding: Binding) -> tuple[Compound, ...]:
@@ -127,14 +126,14 @@ class Outlook:
     def _done(self, plan: int, closed: int, binding: Binding) -> Iterator[str]:
         """What was observed, or missed and so done unseen; not what was passed over."""
         explanation = self._closed(plan, closed, binding)
-        mandatory = chart_of(self.plans[plan]).mandatory
+        mandatory = self.plans[plan].chart.mandatory
         for leaf, action in enumerate(explanation.leaves):
             if (closed & mandatory) >> leaf & 1:
                 yield _shown(action)
 
     def _closed(self, plan: int, closed: int, binding: Binding) -> Explanation:
         """An explanation with all that is closed taken as done: it has the frontier and the parameters in question."""
-        chart = chart_of(self.plans[plan])
+        chart = self.plans[plan].chart
         done = tuple(leaf for leaf in range(chart.leaves) if closed >> leaf & 1)
         return Explanation(self.plans[plan], done, binding, 0.0, 0.0)
 

@@ -49,7 +49,7 @@ class Reading:
         capability: Capability = lambda explanation, leaf, agent: (explanation.leaves[leaf], False),
         options: Options = PAPER,
     ) -> None:
-        self.library, self.policy = library, policy
+        self.library, self.policy, self.options = library, policy, options
         self._actions = list(library.actions)
         self._capability = capability
         self._engine: Recogniser = recogniser(library.ways, matcher, options)

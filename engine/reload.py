@@ -91,10 +91,10 @@ def renewed(mind: Mind, domain: Domain) -> tuple[Mind, tuple[Dropped, ...]]:
     Raises:
         CasperError: the domain lacks what perception needs, or a setting is wrong; the old mind is as good as before.
     """
-    fresh = Mind(domain, verification=mind.verification, policy=mind.policy, helps=mind.helps)
+    fresh = mind.like(domain)
     _keep_perception(mind, fresh)
     made, observations = mind.supervisor.commitment, mind.reading.observations
-    before = 0 if made is None else len(made.explanation.marks)  # the commitment was made after so many observations
+    before = 0 if made is None else made.observations
     dropped = _replayed(observations[:before], fresh.reading)
     _keep_commitment(made, fresh)
     dropped += _replayed(observations[before:], fresh.reading)

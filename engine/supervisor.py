@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from casper.engine.collaboration import CollaborativePlan
 from casper.engine.events import Event
-from casper.engine.explanation import Explanation
+from casper.engine.explanation import Explanation, Interleaved
 from casper.engine.reading import Reading
 from casper.kb.terms import Compound
 
@@ -19,8 +19,9 @@ class Commitment:
 
     goal: str
     t: float
-    explanation: Explanation
+    explanation: Explanation | Interleaved
     plan: CollaborativePlan
+    observations: int  # that had been made by then
 
 
 class Supervisor:
@@ -63,8 +64,8 @@ class Supervisor:
             "planned": len(made.plan.actions),
         }
 
-    def _best_of(self, goal: str) -> Explanation | None:
-        return next((p for e in self.reading.explanations() for p in e.parts if p.goal == goal), None)
+    def _best_of(self, goal: str) -> Explanation | Interleaved | None:
+        return next((found for found in self.reading.explanations() if found.goal == goal), None)
 
     def _commit(self, goal: str, t: float) -> Iterator[Event]:
         explanation = self._best_of(goal)
@@ -72,7 +73,7 @@ class Supervisor:
             return
         plan = self.reading.plan_for(self.robot or "", explanation)
         assert plan is not None
-        self.commitment = Commitment(goal, t, explanation, plan)
+        self.commitment = Commitment(goal, t, explanation, plan, len(self.reading.observations))
         observed = len(explanation.marks)
         data = {"goal": goal, "confidence": explanation.share, "observed": observed, "missed": explanation.missed}
         yield Event("prediction", t, {**data, "posterior": self.reading.posterior})
@@ -85,16 +86,24 @@ class Supervisor:
         explanation = self._best_of(commitment.goal)
         if explanation is None or self.robot is None:
             return
-        last, plan = max(explanation.marks, default=-1), commitment.plan
-        first = plan.leaves[0] if plan.leaves else len(explanation.leaves)
-        waiting = plan.waiting[len(plan.waiting) - max(first - last - 1, 0) :] if first > last + 1 else ()
-        actions = tuple(a for leaf, a in zip(plan.leaves, plan.actions) if leaf > last)
-        if (waiting, actions) != (self.waiting, self.actions):
-            self.waiting, self.actions = waiting, actions
+        part = self._part(commitment, explanation)
+        if part is None:  # the goal is pursued another way than was thought
+            plan = self.reading.plan_for(self.robot, explanation)
+            assert plan is not None
+            self.commitment = commitment = replace(commitment, explanation=explanation, plan=plan)
+        else:
+            plan = commitment.plan.after(part)
+        if (plan.waiting, plan.actions) != (self.waiting, self.actions):
+            self.waiting, self.actions = plan.waiting, plan.actions
             yield self._plan_event(t)
+
+    def _part(self, commitment: Commitment, explanation: Explanation | Interleaved) -> Explanation | None:
+        """The part of an explanation that pursues the robot's goal by the plan it was made for."""
+        plans = [part.plan for part in commitment.explanation.parts if part.goal == commitment.plan.goal]
+        return next((part for part in explanation.parts if part.plan in plans), None)
 
     def _plan_event(self, t: float) -> Event:
         assert self.commitment is not None and self.robot is not None
-        goal = self.commitment.goal
+        goal = self.commitment.plan.goal
         shown = CollaborativePlan(self.robot, goal, self.waiting, self.actions, ()).to_json()
         return Event("plan", t, {**shown, "ready": self.ready})

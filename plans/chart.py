@@ -1,10 +1,9 @@
 """Charts: what a plan's shapes mean for its leaves, as bit masks (bit j = leaf j, in the order of ``plan.leaves``).
 
-Observing a leaf *closes* it and every leaf that the plan puts before it; and where it stands in one of several items
-that may come in any order, what is left of another item that was begun: items are done one after the other, in whatever
-order. So a chart keeps, for every leaf, what comes before it and the items beside it; and for every optional part, its
-leaves: they belong to the plan once one of them was observed, and not before. Plans without shapes share one chart for
-each length: leaf j comes after 0 … j-1, and all leaves belong.
+Observing a leaf *closes* it and every leaf that the plan puts before it; whatever the plan leaves open, in whatever
+order, stays so. So a chart keeps what comes before every leaf, and the leaves of every optional part: they belong to
+the plan once one of them was observed, and not before. Plans without shapes share one chart for each length: leaf j
+comes after 0 … j-1, and all leaves belong.
 """
 
 from __future__ import annotations
@@ -32,26 +31,21 @@ class Part:
 class Chart:
     """The order and the optional parts of a plan's leaves.
 
-    ``before[j]`` are the leaves that come before leaf j, ``beside[j]`` the items of several leaves that may come before
-    or after the one that j stands in, ``parts`` the optional parts, ``inside[j]`` (a mask over parts) those that leaf j
-    stands in, ``mandatory`` the leaves that stand in none.
+    ``before[j]`` are the leaves that come before leaf j, ``parts`` the optional parts, ``inside[j]`` (a mask over
+    parts) those that leaf j stands in, ``mandatory`` the leaves that stand in none.
     """
 
     leaves: int
     before: tuple[int, ...]
-    beside: tuple[tuple[int, ...], ...]
     parts: tuple[Part, ...]
     inside: tuple[int, ...]
     mandatory: int
     _belongs: dict[int, int] = field(default_factory=dict, compare=False)
-    _closings: dict[tuple[int, int, int], Progress] = field(default_factory=dict, compare=False)
 
     @cached_property
     def is_chain(self) -> bool:
         """Whether each leaf simply comes after the one before, and none is optional."""
-        if self.parts or any(self.beside):
-            return False
-        return all(mask == (1 << j) - 1 for j, mask in enumerate(self.before))
+        return not self.parts and all(mask == (1 << j) - 1 for j, mask in enumerate(self.before))
 
     @property
     def start(self) -> Progress:
@@ -61,26 +55,16 @@ class Chart:
     def close(self, progress: Progress, leaf: int) -> Progress:
         """The progress after an open leaf was observed."""
         closed, entered, size, missed = progress
-        key = (closed, entered, leaf)
-        change = self._closings.get(key)
-        if change is None:
-            change = self._closings[key] = self._closing(closed, entered, leaf)
-        return (change[0], change[1], size + change[2], missed + change[3])
-
-    def _closing(self, closed: int, entered: int, leaf: int) -> Progress:
-        """New masks, and how many leaves join the plan and are missed by it."""
-        newly = self.before[leaf] | 1 << leaf
-        for item in self.beside[leaf]:
-            if item & closed:
-                newly |= item
-        newly &= ~closed
+        newly = (self.before[leaf] | 1 << leaf) & ~closed
+        closed |= newly
+        if not self.parts:
+            return (closed, 0, size, missed + newly.bit_count() - 1)
         joined = self.inside[leaf] & ~entered
         entered |= joined
-        belongs = self.belonging(entered)
-        larger = sum(part.own.bit_count() for at, part in enumerate(self.parts) if joined >> at & 1)
-        closed |= newly
+        missed += (newly & self.belonging(entered)).bit_count() - 1
+        size += sum(part.own.bit_count() for at, part in enumerate(self.parts) if joined >> at & 1)
         still_open = sum(1 << at for at, part in enumerate(self.parts) if entered >> at & 1 and part.leaves & ~closed)
-        return (closed, still_open, larger, (newly & belongs).bit_count() - 1)
+        return (closed, still_open, size, missed)
 
     def directly_before(self, leaf: int) -> list[int]:
         """The leaves that must come before this one, but for those that must come before another of them."""
@@ -114,21 +98,20 @@ class Chart:
 _CHAINS: dict[int, Chart] = {}
 
 
-def chart_of(plan: Plan) -> Chart:
-    """The chart of a plan; plans without shapes share one for each length."""
+def draw_chart(plan: Plan) -> Chart:
+    """The chart of a plan (`Plan.chart` keeps it); plans without shapes share one for each length."""
     leaves = len(plan.leaves)
     if not is_plain(plan):
         return _drawn(plan, leaves)
     if leaves not in _CHAINS:
         everything = (1 << leaves) - 1
         before = tuple((1 << j) - 1 for j in range(leaves))
-        _CHAINS[leaves] = Chart(leaves, before, ((),) * leaves, (), (0,) * leaves, everything)
+        _CHAINS[leaves] = Chart(leaves, before, (), (0,) * leaves, everything)
     return _CHAINS[leaves]
 
 
 def _drawn(plan: Plan, leaves: int) -> Chart:
     before, inside = [0] * leaves, [0] * leaves
-    beside: list[tuple[int, ...]] = [()] * leaves
     spans: list[int] = []  # the leaves of every optional part
     count = 0
 
@@ -145,14 +128,8 @@ def _drawn(plan: Plan, leaves: int) -> Chart:
             spans.append(0)
             within |= 1 << number
         masks: list[int] = []
-        needs = _needs(node)
-        for at, child in enumerate(node.children):
-            masks.append(add(child, earlier | _union(masks[i] for i in needs[at]), within))
-        for at, (own, need) in enumerate(zip(masks, needs)):
-            free = [m for i, m in enumerate(masks) if i != at and m & m - 1 and i not in need and at not in needs[i]]
-            for leaf in range(leaves) if free else ():
-                if own >> leaf & 1:
-                    beside[leaf] += tuple(free)
+        for child, needs in zip(node.children, children_before(node)):
+            masks.append(add(child, earlier | _union(masks[i] for i in needs), within))
         mask = _union(masks)
         if number >= 0:
             spans[number] = mask
@@ -165,11 +142,11 @@ def _drawn(plan: Plan, leaves: int) -> Chart:
         for number, span in enumerate(spans)
     )
     mandatory = _union(1 << j for j in range(leaves) if inside[j] == 0)
-    return Chart(leaves, tuple(before), tuple(beside), parts, tuple(inside), mandatory)
+    return Chart(leaves, tuple(before), parts, tuple(inside), mandatory)
 
 
-def _needs(node: Node) -> list[set[int]]:
-    """Per child the children that come before it (an action has none)."""
+def children_before(node: Node) -> list[set[int]]:
+    """Per child the numbers of the children that come before it (an action has none)."""
     children = () if isinstance(node, Action) else node.children
     if not isinstance(node, Shape) or node.kind in ("sequence", "optional"):
         return [set(range(at)) for at in range(len(children))]

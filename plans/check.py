@@ -12,8 +12,8 @@ from casper.kb.finding import Finding, Severity, error, finding_of, warning
 from casper.kb.program import Indicator
 from casper.kb.terms import Compound, Term, as_term, list_items, predication
 from casper.kb.writer import term_text
-from casper.plans.expansion import SHAPES
 from casper.plans.library import GOAL, RECURSION, PlanLibrary
+from casper.plans.shapes import SHAPES
 
 if TYPE_CHECKING:
     import networkx as nx

@@ -2,9 +2,8 @@
 
 Shapes in a body: ``(X ; Y)`` is a choice, ``optional(X)`` is X or nothing, ``unordered(X, Y, …)`` any order of its
 arguments, ``steps([a: X, b: Y, …], [a < b, …])`` any order that keeps the stated pairs, ``repeat(X, Min, Max)`` X
-from Min to Max times. Each stands for the alternatives it allows. They are either all spelled out (``most_plans``
-bounds the library), or, ``compact``, kept in the plan as `casper.plans.plan.Shape`; choices are spelled out in both,
-and so is an optional part that has several ways or settles a parameter of what surrounds it.
+from Min to Max times. What is not a choice is kept in the plan as `casper.plans.plan.Shape` (`casper.plans.spelling`
+spells it out); an optional part that has several ways, or that settles a parameter of what surrounds it, is a choice.
 """
 
 from __future__ import annotations
@@ -12,21 +11,19 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import islice, permutations
+from itertools import islice
 from typing import Literal, TypeAlias
 
 from casper.kb.clauses import Literal as Condition
 from casper.kb.clauses import Production
 from casper.kb.errors import Place, PlanError
 from casper.kb.terms import (
-    NIL,
     Bindings,
     Compound,
     Term,
     Variable,
     as_term,
     is_ground,
-    list_items,
     predication,
     renamed,
     substitute,
@@ -34,9 +31,9 @@ from casper.kb.terms import (
 )
 from casper.kb.writer import term_text
 from casper.plans.plan import Action, Node, Plan, Shape, Task
+from casper.plans.shapes import CHOICES, SHAPES, Items, partial_order
 
 MOST_PLANS = 100_000
-Items: TypeAlias = tuple[Term, ...]
 _BOUND = "setting(plans, recursion, N) says how often it may"
 _ONLY_NAMES = "an item of a plan is an action or a task, such as wash(Plate, sink)"
 
@@ -46,7 +43,6 @@ def expand(
     productions: Sequence[Production],
     most_plans: int = MOST_PLANS,
     *,
-    compact: bool = False,
     recursion: int = 0,
 ) -> Iterator[Plan]:
     """Every plan of every goal, in the author's order.
@@ -55,13 +51,12 @@ def expand(
         goals: the goals, with the places that state them.
         productions: the grammar.
         most_plans: the largest library there may be.
-        compact: keep shapes as they are instead of spelling out what they allow.
         recursion: how often a task may stand inside itself; deeper choices are left out.
 
     Raises:
         PlanError: see `casper.plans.library.PlanLibrary.plans`.
     """
-    grammar = _Grammar(productions, compact, recursion)
+    grammar = _Grammar(productions, recursion)
     labels = _labels([goal for goal, _ in goals])
     total = 0
     for (goal, place), label in zip(goals, labels):
@@ -144,10 +139,10 @@ class _Grammar:
 
     methods: dict[tuple[str, int], list[Production]]
 
-    def __init__(self, productions: Sequence[Production], compact: bool = False, recursion: int = 0) -> None:
+    def __init__(self, productions: Sequence[Production], recursion: int = 0) -> None:
         self.methods = {}
         self.serial = 0
-        self.compact, self.recursion = compact, recursion
+        self.recursion = recursion
         self.actions: dict[tuple[Term, int], Action] = {}  # by item and place: large libraries repeat themselves
         for production in productions:
             self.methods.setdefault(production.head.indicator, []).append(production)
@@ -181,14 +176,8 @@ class _Grammar:
         if not isinstance(item, (str, Compound)):
             raise PlanError(f"{term_text(renamed([item], 0)[0])} cannot stand in a plan: {_ONLY_NAMES}", place)
         term = predication(item)
-        shape = SHAPES.get(term.functor) if term.indicator not in self.methods else None
-        if shape is not None and term.args:
-            kept = self.kept(term, bindings, above, place) if self.compact and term.functor in KEPT else None
-            if kept is not None:
-                yield from kept
-                return
-            for sequence in shape(term, place):
-                yield from self.sequence(sequence, bindings, above, place)
+        if term.functor in SHAPES and term.args and term.indicator not in self.methods:
+            yield from self.shape(term, bindings, above, place)
         elif term.indicator in self.methods:
             for task, extended in self.task(term, bindings, above, place):
                 yield (task,), extended
@@ -196,31 +185,30 @@ class _Grammar:
             _check_action(term, place)
             yield (Action(term, place),), bindings
 
-    def kept(self, term: Compound, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Ways | None:
-        """A shape as a node of the plan, one for every choice inside it; None where it must be spelled out."""
-        if term.functor == "optional":
-            serial = self.serial
-            ways = list(islice(self.sequence(term.args, bindings, above, place), 2))
-            if len(ways) != 1 or _settles(bindings, ways[0][1], serial):
-                return None
-            return iter([((Shape("optional", ways[0][0]),), ways[0][1])])
-        if term.functor == "steps":
-            items, order = _partial_order(term, place)
-            return self.together("steps", items, order, bindings, above, place)
-        return self.together("unordered", term.args, frozenset(), bindings, above, place)
+    def shape(self, term: Compound, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Ways:
+        """Every way to do what stands in a shape."""
+        if term.functor not in CHOICES:
+            kind: Literal["unordered", "steps"] = "steps" if term.functor == "steps" else "unordered"
+            items, order = partial_order(term, place)
+            for children, extended in self.sequence(items, bindings, above, place, self.wrapped):
+                yield (Shape(kind, children, order),), extended
+            return
+        part = self.optional(term, bindings, above, place) if term.functor == "optional" else None
+        if part is not None:
+            yield part
+            return
+        for items in CHOICES[term.functor](term, place):
+            yield from self.sequence(items, bindings, above, place)
 
-    def together(
-        self,
-        kind: Literal["unordered", "steps"],
-        items: Items,
-        order: frozenset[tuple[int, int]],
-        bindings: Bindings,
-        above: tuple[Compound, ...],
-        place: Place,
-    ) -> Ways:
-        """Every choice inside items that stand beside one another, as one node for each."""
-        for children, extended in self.sequence(items, bindings, above, place, self.wrapped):
-            yield (Shape(kind, children, order),), extended
+    def optional(
+        self, term: Compound, bindings: Bindings, above: tuple[Compound, ...], place: Place
+    ) -> tuple[tuple[Node, ...], Bindings] | None:
+        """An optional part as a node of the plan; None where it is a choice."""
+        serial = self.serial
+        ways = list(islice(self.sequence(term.args, bindings, above, place), 2))
+        if len(ways) != 1 or _settles(bindings, ways[0][1], serial):
+            return None
+        return (Shape("optional", ways[0][0]),), ways[0][1]
 
     def wrapped(self, item: Term, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Ways:
         """Every way to do one item, as exactly one node."""
@@ -272,66 +260,3 @@ def _check_action(term: Compound, place: Place) -> None:
     if not named or Condition(term).is_comparison:
         shown = term_text(renamed([as_term(term)], 0)[0])
         raise PlanError(f"{shown} cannot stand in a plan: {_ONLY_NAMES}", place)
-
-
-def _partial_order(term: Compound, place: Place) -> tuple[Items, frozenset[tuple[int, int]]]:
-    """The items of ``steps`` in an order that it allows, and which of them must come before which."""
-    import networkx as nx  # only plans with partial orders need it
-
-    lists = [list_items(arg) for arg in term.args]
-    if [tail for _, tail in lists] != [NIL, NIL] or not lists[0][0]:
-        raise PlanError("steps takes a list of labelled items and a list of pairs: steps([a: X, b: Y], [a < b])", place)
-    labelled, ordered = lists[0][0], lists[1][0]
-    items: dict[Term, Term] = {}
-    for entry in labelled:
-        if not (isinstance(entry, Compound) and entry.indicator == (":", 2)):
-            raise PlanError(f"{term_text(entry)} has no label: write it as name: {term_text(entry)}", place)
-        if entry[1] in items:
-            raise PlanError(f"two steps are labelled {term_text(entry[1])}", place)
-        items[entry[1]] = entry[2]
-    graph: nx.DiGraph = nx.DiGraph()
-    graph.add_nodes_from(items)
-    for pair in ordered:
-        if not (isinstance(pair, Compound) and pair.indicator == ("<", 2) and pair[1] in items and pair[2] in items):
-            raise PlanError(f"{term_text(pair)} is no pair of step labels: write a < b", place)
-        graph.add_edge(pair[1], pair[2])
-    if not nx.is_directed_acyclic_graph(graph):
-        raise PlanError("the order of these steps runs in a circle", place)
-    written = {label: at for at, label in enumerate(items)}
-    order = {label: at for at, label in enumerate(nx.lexicographical_topological_sort(graph, written.__getitem__))}
-    return tuple(items[label] for label in order), frozenset((order[a], order[b]) for a, b in graph.edges)
-
-
-def _steps(term: Compound, place: Place) -> Iterator[Items]:
-    """Every order of labelled steps that keeps the stated pairs."""
-    import networkx as nx
-
-    items, order = _partial_order(term, place)
-    graph: nx.DiGraph = nx.DiGraph()
-    graph.add_nodes_from(range(len(items)))
-    graph.add_edges_from(sorted(order))
-    for numbers in nx.all_topological_sorts(graph):
-        yield tuple(items[number] for number in numbers)
-
-
-def _repeat(term: Compound, place: Place) -> Iterator[Items]:
-    """As often as must be, and then once more, and once more, as long as it may be."""
-    *item, least, most = term.args if term.arity == 3 else (None, None, None)
-    if type(least) is not int or type(most) is not int or not 0 <= least <= most or most == 0:
-        shown = term_text(renamed([term], 0)[0])
-        raise PlanError(f"{shown}: repeat takes an item and two whole numbers: repeat(stir, 1, 3)", place)
-    more: Items = ()
-    for _ in range(most - least):
-        more = (Compound(("optional", *item, *more)),)
-    return iter([(*item * least, *more)])
-
-
-KEPT = frozenset({"optional", "unordered", "steps"})
-SHAPES: dict[str, Callable[[Compound, Place], Iterator[Items]]] = {
-    ",": lambda term, _: iter([term.args]),
-    ";": lambda term, _: iter([(alternative,) for alternative in term.args]),
-    "optional": lambda term, _: iter([term.args, ()]),
-    "unordered": lambda term, _: (tuple(order) for order in permutations(term.args)),
-    "steps": _steps,
-    "repeat": _repeat,
-}

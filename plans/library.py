@@ -11,15 +11,18 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from casper.kb.clauses import Clause, Production, Sentence
 from casper.kb.errors import Place, PlanError
 from casper.kb.reader import read_statement, read_text
 from casper.kb.terms import Compound, Term, Variable, as_term, predication, substitute, variables_of
 from casper.kb.writer import program_text, term_text
-from casper.plans.expansion import MOST_PLANS, SHAPES, expand
-from casper.plans.plan import Plan, is_plain
+from casper.plans.expansion import MOST_PLANS, expand
+from casper.plans.plan import Plan
+from casper.plans.shapes import SHAPES
 from casper.plans.simple import simple_term
+from casper.plans.spelling import spelled_out
 
 GOAL = ("goal", 1)
 RECURSION = ("setting", "plans", "recursion")
@@ -103,32 +106,37 @@ class PlanLibrary:
 
     @property
     def plans(self) -> tuple[Plan, ...]:
+        """As `ways`, with every order and every set of optional parts spelled out.
+
+        Raises:
+            PlanError: as `ways`, and where there are too many.
+        """
+        if self._plans is None:
+            self._plans = tuple(self._spelled_out())
+        return self._plans
+
+    def _spelled_out(self) -> Iterator[Plan]:
+        numbers: Counter[str] = Counter()
+        for plan in (plain for way in self.ways for plain in spelled_out(way)):
+            yield plan if plan.way == numbers[plan.label] else replace(plan, way=numbers[plan.label])
+            numbers[plan.label] += 1
+            if numbers.total() > self._most_plans:
+                sentence = f"the library has more than {self._most_plans} plans when all orders are spelled out"
+                raise PlanError(f"{sentence}; {plan.label} alone has {numbers[plan.label]}", plan.place)
+
+    @property
+    def ways(self) -> tuple[Plan, ...]:
         """Every plan of every goal, goals in the order of their clauses (or, with none, of their productions).
+
+        A plan keeps its shapes: a task of seventeen partly ordered steps is one plan.
 
         Raises:
             PlanError: a goal or task without production, a task that contains itself, an empty or endless library.
         """
-        if self._plans is None:
-            if self._ways is not None and all(map(is_plain, self._ways)):
-                self._plans = self._ways
-            else:
-                self._plans = tuple(self._expanded(compact=False))
-        return self._plans
-
-    @property
-    def ways(self) -> tuple[Plan, ...]:
-        """As `plans`, with shapes kept: a task of seventeen partly ordered steps is one plan.
-
-        Raises:
-            PlanError: as `plans`.
-        """
         if self._ways is None:
-            self._ways = tuple(self._expanded(compact=True))
+            depth = _depth(self._recursion)
+            self._ways = tuple(expand(self._goal_terms(), self._productions, self._most_plans, recursion=depth))
         return self._ways
-
-    def _expanded(self, compact: bool) -> Iterator[Plan]:
-        goals = self._goal_terms()
-        return expand(goals, self._productions, self._most_plans, compact=compact, recursion=_depth(self._recursion))
 
     @property
     def goals(self) -> tuple[str, ...]:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Literal, TypeAlias
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from casper.kb.errors import Place
 from casper.kb.terms import Compound, Variable, as_term, variables_of
 from casper.kb.writer import term_text
+
+if TYPE_CHECKING:
+    from casper.plans.chart import Chart
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +36,7 @@ class Shape:
 
     ``kind`` is ``sequence``, ``optional`` (both in order), ``unordered``, or ``steps``: then ``order`` holds the pairs
     of child numbers of which the first comes before the second, and the children stand in an order that keeps them.
+    Children that no order relates may interleave, whatever they consist of.
     """
 
     kind: Literal["sequence", "optional", "unordered", "steps"]
@@ -71,22 +75,30 @@ class Plan:
     @cached_property
     def actions(self) -> tuple[Action, ...]:
         """The leaf nodes in order."""
-        return tuple(_leaves(self.root))
+        return tuple(actions_below(self.root))
 
     @cached_property
     def variables(self) -> tuple[Variable, ...]:
         """The parameters of goal and leaves, in order of first occurrence."""
         return tuple(variables_of(self.goal, *self.leaves))
 
+    @cached_property
+    def chart(self) -> Chart:
+        """What the shapes mean for the leaves: their order, and the optional parts."""
+        from casper.plans.chart import draw_chart  # charts are drawn of plans
+
+        return draw_chart(self)
+
     def __repr__(self) -> str:
         leaves = ", ".join(term_text(as_term(leaf)) for leaf in self.leaves)
         return f"<Plan {term_text(as_term(self.goal))}: {leaves}>"
 
 
-def _leaves(node: Node) -> list[Action]:
+def actions_below(node: Node) -> list[Action]:
+    """The node's leaves from left to right; an action is its own."""
     if isinstance(node, Action):
         return [node]
-    return [leaf for child in node.children for leaf in _leaves(child)]
+    return [leaf for child in node.children for leaf in actions_below(child)]
 
 
 def is_plain(plan: Plan) -> bool:

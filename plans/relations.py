@@ -16,7 +16,6 @@ from collections.abc import Iterator
 
 from casper.kb.clauses import Clause, Literal
 from casper.kb.terms import Compound, Variable, as_term, is_ground, variables_of
-from casper.plans.chart import chart_of
 from casper.plans.library import PlanLibrary
 from casper.plans.plan import Plan
 
@@ -42,7 +41,7 @@ def plan_clauses(library: PlanLibrary) -> Iterator[Clause]:
 
 def _rows(plan: Plan) -> Iterator[Compound]:
     """What holds of a plan, if its goal does."""
-    goal, chart = as_term(plan.goal), chart_of(plan)
+    goal, chart = as_term(plan.goal), plan.chart
     parameters = set(variables_of(goal))
     for number, leaf in enumerate(plan.leaves, 1):
         yield Compound(("step", goal, number, as_term(leaf)))

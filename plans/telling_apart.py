@@ -15,7 +15,7 @@ from itertools import combinations
 from casper.kb.finding import Finding, note, warning
 from casper.kb.terms import Compound, Variable, as_term, substitute, unify, variables_of
 from casper.kb.writer import term_text
-from casper.plans.chart import Chart, chart_of
+from casper.plans.chart import Chart
 from casper.plans.library import PlanLibrary, goal_of
 from casper.plans.plan import Plan
 
@@ -98,7 +98,7 @@ class _Common:
     """The longest row of actions that two plans can both explain: a search through pairs of closed leaves."""
 
     def __init__(self, a: Plan, b: Plan, missing: bool) -> None:
-        self.charts, self.missing = (chart_of(a), chart_of(b)), missing
+        self.charts, self.missing = (a.chart, b.chart), missing
         self.is_cut_short = False
         apart = {v: Variable(v.name, v.serial - 1_000_000) for v in variables_of(*b.leaves)}
         theirs = [substitute(leaf, dict(apart)) for leaf in b.leaves]
@@ -166,6 +166,6 @@ def _by_goal(plans: Sequence[Plan]) -> dict[str, list[Plan]]:
 def _signature(plan: Plan) -> object:
     """Equal for plans that differ in the names of their goal, tasks and parameters only."""
     names = {v: Variable("Parameter", at) for at, v in enumerate(variables_of(*plan.leaves))}
-    chart = chart_of(plan)
+    chart = plan.chart
     leaves = tuple(substitute(leaf, dict(names)) for leaf in plan.leaves)
-    return leaves, chart.before, chart.beside, chart.parts, chart.inside
+    return leaves, chart.before, chart.parts, chart.inside

@@ -32,6 +32,8 @@ class TrialSettings:
     verification: bool = True
     robot: bool = True
     policy: str = "strict"
+    noise: float | None = None
+    goals: int = 1
 
 
 @dataclass
@@ -53,7 +55,14 @@ class Trial:
         self.script = script_for(self.domain, self.goal)
         self.simulation = Simulation(scene_from(self.domain.kb.rows), seed=self.settings.seed)
         chosen = self.settings
-        self.mind = Mind(self.domain, verification=chosen.verification, policy=chosen.policy, helps=chosen.robot)
+        self.mind = Mind(
+            self.domain,
+            verification=chosen.verification,
+            policy=chosen.policy,
+            helps=chosen.robot,
+            noise=chosen.noise,
+            goals=chosen.goals,
+        )
         self.left_to_robot: list[ScriptedAction] = []
         self.last_action_done: float | None = None  # when the partner finished the last action of their own
         self._reported = 0

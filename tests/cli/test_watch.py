@@ -62,3 +62,14 @@ def test_an_object_that_vanishes_for_a_while_stays_where_it_was(casper):
 def test_a_partner_who_is_not_there_yet_is_waited_for(casper):
     told = watch(casper, state(1, agents={}), state(2))
     assert [event["type"] for event in told.json] == ["focus", "movement", "summary"]
+
+
+def test_needless_actions_and_several_goals_can_be_allowed(casper):
+    told = casper("watch", "kitchen", "--noise", "0.1", "--goals", "2", "--stop", "--json", stdin=json.dumps(state(1)))
+    assert (told.code, told.json[-1]["type"]) == (0, "summary")
+
+
+def test_a_price_that_is_none_is_refused_in_a_sentence(casper):
+    told = casper("watch", "kitchen", "--noise", "-1", stdin="")
+    assert told.code == 2
+    assert "the price of a needless observation is a factor above 0 and at most 1, not -1" in told.err

@@ -7,9 +7,11 @@ of the row has one of them. Of the rows that agree, the one that misses fewest c
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import chain, count, permutations, product
+from itertools import chain, count, product
+
+import networkx as nx
 
 from casper.engine.matching import Matcher, Mismatch
 from casper.engine.observation import Observation
@@ -45,24 +47,37 @@ def rows(plan: Plan) -> tuple[list[Row], dict[int, set[int]]]:
             return [((next(leaf_numbers),), frozenset())]
         number = next(part_numbers) if isinstance(node, Shape) and node.kind == "optional" else None
         choices = [spell(child) for child in node.children]
-        orders = [tuple(range(len(choices)))]
+        before = {(a, b) for a in range(len(choices)) for b in range(a + 1, len(choices))}
         if isinstance(node, Shape) and node.kind in ("unordered", "steps"):
-            orders = [
-                order
-                for order in permutations(range(len(choices)))
-                if all(order.index(a) < order.index(b) for a, b in node.order)
-            ]
+            before = {(a, b) for a, b in before if nx.has_path(ordered(len(choices), node.order), a, b)}
         found = []
-        for order in orders:
-            for choice in product(*(choices[at] for at in order)):
-                inside = frozenset().union(*(included for _, included in choice))
-                found.append((tuple(chain.from_iterable(leaves for leaves, _ in choice)), inside))
+        for choice in product(*choices):
+            inside = frozenset().union(*(included for _, included in choice))
+            found.extend((leaves, inside) for leaves in merged([leaves for leaves, _ in choice], before))
         if number is None:
             return found
         parts[number] = {leaf for leaves, _ in found for leaf in leaves}
         return [*((leaves, inside | {number}) for leaves, inside in found), ((), frozenset())]
 
     return spell(plan.root), parts
+
+
+def ordered(items: int, pairs: Iterable[tuple[int, int]]) -> nx.DiGraph:
+    """The items of a shape, with an edge from each to those stated to come after it."""
+    graph = nx.DiGraph()
+    graph.add_nodes_from(range(items))
+    graph.add_edges_from(pairs)
+    return graph
+
+
+def merged(parts: list[tuple[int, ...]], before: set[tuple[int, int]]) -> Iterator[tuple[int, ...]]:
+    """Every order of all leaves that keeps the order within each part, and the parts that come before others."""
+    if not any(parts):
+        yield ()
+    for at, part in enumerate(parts):
+        if part and not any(parts[earlier] for earlier, later in before if later == at):
+            for rest in merged([*parts[:at], part[1:], *parts[at + 1 :]], before):
+                yield (part[0], *rest)
 
 
 def explanations(

@@ -8,8 +8,9 @@ import pytest
 
 from casper import Domain, Mind
 from casper.engine.movements import Movement
+from casper.engine.observation import Observation
 from casper.engine.world import AgentState, ObjectState, WorldState
-from casper.kb.errors import DomainError, WorldStateError
+from casper.kb.errors import CasperError, DomainError, WorldStateError
 
 KITCHEN = Domain.load("kitchen")
 PLACES = {"biscuits": (1.0, 0.0), "plate": (5.0, 0.0), "sink": (5.0, 5.0), "hobs": (0.0, 5.0)}
@@ -113,17 +114,36 @@ def test_an_observation_that_fits_no_plan_is_reported_and_the_reading_goes_on_fr
     mind = Mind(KITCHEN)
     told(mind, breakfast_states())
     before = mind.reading.to_json()
-    from casper.engine.observation import Observation
-
     (warning,) = mind._read(Observation("cook", ("meal", "hobs")), 99.0)
     assert warning.type == "warning"
     assert "fits no plan" in warning.data["message"]
     assert mind.reading.to_json() == before
 
 
-def test_an_action_in_no_plan_is_reported():
-    from casper.engine.observation import Observation
+def test_a_mind_that_is_told_to_stop_refuses_an_observation_that_fits_no_plan():
+    mind = Mind(KITCHEN, stops=True)
+    told(mind, breakfast_states())
+    before = mind.reading.to_json()
+    with pytest.raises(CasperError, match=r"cook\(meal, hobs\) fits no plan any more"):
+        list(mind._read(Observation("cook", ("meal", "hobs")), 99.0))
+    assert mind.reading.to_json() == before
 
+
+def test_a_mind_that_allows_needless_actions_goes_on_past_one():
+    mind = Mind(KITCHEN, noise=0.1)
+    told(mind, breakfast_states())
+    event = next(mind._read(Observation("cook", ("meal", "hobs")), 99.0))
+    assert event.type == "reading"
+    assert event.data["best"][0]["needless"] == [len(event.data["observations"])]
+
+
+def test_a_mind_like_another_has_its_options():
+    mind = Mind(KITCHEN, noise=0.1, goals=2, stops=True).like(KITCHEN)
+    assert mind.stops
+    assert (mind.reading.options.noise, mind.reading.options.goals) == (0.1, 2)
+
+
+def test_an_action_in_no_plan_is_reported():
     (warning,) = Mind(KITCHEN)._read(Observation("relocate", None), 1.0)
     assert "is in no plan" in warning.data["message"]
 

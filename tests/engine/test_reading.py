@@ -3,7 +3,6 @@
 import pytest
 
 from casper import Domain
-from casper.engine.collaboration import longest_run
 from casper.engine.policy import Standing, best, strict
 from casper.kb.errors import CasperError, PlanError
 
@@ -112,14 +111,6 @@ def test_without_verification_the_robots_part_is_still_known_in_full():
 
 def test_a_human_helper_could_do_everything():
     assert len(reading("pick_and_place(meal, hobs)").plan_for("human").actions) == 5
-
-
-@pytest.mark.parametrize(
-    ("able", "run"),
-    [([], (0, 0)), ([False], (1, 1)), ([True], (0, 1)), ([True, False, True], (2, 3)), ([True, True, False, True], (0, 2))],
-)
-def test_longest_run(able, run):
-    assert longest_run([bool(x) for x in able]) == run
 
 
 def test_strict_commits_to_a_sole_explanation_even_with_misses():

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.options import AsJson, DomainName, PolicyName, Unverified
+from casper.cli.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
 
 if TYPE_CHECKING:
     from casper.engine.reading import Reading
@@ -19,11 +19,8 @@ def explain(
     policy: PolicyName = "strict",
     top: Annotated[int, typer.Option(min=0, help="How many of the best explanations to show.")] = 3,
     no_verification: Unverified = False,
-    noise: Annotated[
-        float | None,
-        typer.Option(metavar="PRICE", help="Allow needless observations: the factor each one multiplies a score by."),
-    ] = None,
-    goals: Annotated[int, typer.Option(metavar="N", help="How many goals may be pursued at once.")] = 1,
+    noise: Noise = None,
+    goals: Goals = 1,
     picture: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Draw the best explanations of all actions: .svg, .png or .pdf.")
     ] = None,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.options import AsJson, DomainName, PolicyName, Unverified
+from casper.cli.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
@@ -21,6 +21,8 @@ def run(
     no_verification: Unverified = False,
     no_robot: Annotated[bool, typer.Option("--no-robot", help="Watch and predict only.")] = False,
     policy: PolicyName = "strict",
+    noise: Noise = None,
+    goals: Goals = 1,
     speed: Annotated[float, typer.Option(min=0.0, help="Simulated seconds a second; 0 is as fast as it goes.")] = 0.0,
     as_json: AsJson = False,
 ) -> None:
@@ -34,7 +36,7 @@ def run(
     needs("mujoco", "sim")
     from casper.sim_adapter.trial import Trial, TrialSettings
 
-    trial = Trial(loaded, TrialSettings(goal, seed, not no_verification, not no_robot, policy))
+    trial = Trial(loaded, TrialSettings(goal, seed, not no_verification, not no_robot, policy, noise, goals))
     timeline = Timeline(console(), loaded.partner, loaded.robot)
     if not as_json:
         timeline.open(loaded.name, seed)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.options import AsJson, DomainName, PolicyName, Unverified
+from casper.cli.options import AsJson, DomainName, Goals, Noise, PolicyName, Stops, Unverified
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
@@ -19,6 +19,9 @@ def watch(
     domain: DomainName,
     no_verification: Unverified = False,
     policy: PolicyName = "strict",
+    noise: Noise = None,
+    goals: Goals = 1,
+    stop: Stops = False,
     reload: Annotated[bool, typer.Option("--reload", help="Read the domain anew when its files change.")] = False,
     as_json: AsJson = False,
 ) -> None:
@@ -29,7 +32,7 @@ def watch(
     from casper.engine.mind import Mind
 
     loaded = Domain.load(domain)
-    mind = Mind(loaded, verification=not no_verification, policy=policy)
+    mind = Mind(loaded, verification=not no_verification, policy=policy, noise=noise, goals=goals, stops=stop)
     timeline = Timeline(console(), loaded.partner, loaded.robot)
     for event in watched(mind, sys.stdin, reload):
         if as_json:
