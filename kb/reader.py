@@ -20,7 +20,7 @@ from casper.kb.errors import DomainError, Place, ReadError
 from casper.kb.namespace import qualified
 from casper.kb.terms import NIL, Compound, Term, Variable, make_list, predication, variables_of
 
-LARGE = 20_000  # characters from which plain facts are read by an expression of their own
+LARGE = 20_000  # characters from which plain sentences are read by an expression of their own
 _ESCAPES = {"n": "\n", "t": "\t", "\\": "\\", "'": "'", '"': '"', "0": "\0", "r": "\r"}
 _NAMED = frozenset({"atom", "compound"})  # what a clause can be about
 _CONDITIONS = _NAMED | {"compare", "colon"}
