@@ -19,6 +19,7 @@ from casper.engine.matching import Matcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
 from casper.engine.replay import Replay
+from casper.engine.scoring import least_tie
 from casper.plans.plan import Plan
 
 Array: TypeAlias = Any  # numpy.ndarray; numpy is imported when the first large library is read
@@ -231,9 +232,10 @@ class Arrays(Replay):
         top, plan, right, _ = best
         at, counts, _ = self._living()
         goals = self._goal[self._names[self._levels[-1][0] or ""].plan[at]]
-        rivals = (self._weights() == top) & (goals != self._goal[plan])
+        ties = self._weights() >= least_tie(top)
+        rivals = int(counts[ties & (goals != self._goal[plan])].sum())
         missed = len(self.plans[plan].leaves) - right - len(self.observations)
-        return Standing(self.count, self.labels[plan], missed, int(counts[rivals].sum()))
+        return Standing(self.count, self.labels[plan], missed, rivals, int(counts[ties].sum()))
 
 
 def _by_name(np: Any, plans: Sequence[Plan], lengths: Array) -> dict[str, Leaves]:

@@ -19,6 +19,7 @@ from casper.engine.matching import Matcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
 from casper.engine.replay import Replay
+from casper.engine.scoring import least_tie
 from casper.plans.plan import Plan
 
 Row: TypeAlias = tuple[int, int, tuple[tuple[int, int], ...]]
@@ -162,6 +163,8 @@ class Chains(Replay):
             return None
         weight, plan, left, _ = best
         label, labels = self.labels[plan], self.labels
-        rivals = sum([ties for other, p, _, ties in self.tops() if other == weight and labels[p] != label])
+        least = least_tie(weight)
+        equal = [(ties, labels[p] != label) for other, p, _, ties in self.tops() if other >= least]
         missed = len(self.plans[plan].leaves) - left - len(self.observations)
-        return Standing(self.count, label, missed, rivals)
+        rivals = sum([ties for ties, is_rival in equal if is_rival])
+        return Standing(self.count, label, missed, rivals, sum([ties for ties, _ in equal]))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import islice
+from itertools import chain, islice
 
 from casper.engine.domain import Domain
 from casper.kb.errors import BudgetExceeded, CasperError, Place
@@ -13,6 +13,7 @@ from casper.kb.terms import Bindings, Compound, Variable, as_term, substitute, u
 from casper.kb.writer import term_text
 from casper.plans.library import GOAL
 from casper.plans.plan import Plan
+from casper.plans.spelling import decided
 
 MOST_PLANS = 500  # looked at one by one
 MOST_VALUES = 50  # of a goal's parameters
@@ -34,10 +35,10 @@ class _Obstacle:
 
 def plans_nobody_can_do(domain: Domain) -> Iterator[Finding]:
     """Goals that cannot be pursued, single plans that cannot, and steps at which the partner is never seen."""
-    ways = domain.library.ways
-    plans = ways[:MOST_PLANS]
-    if len(ways) > len(plans):
-        yield note(plans[0].place, f"only the first {MOST_PLANS} of {len(ways)} plans were tried out")
+    ways = chain.from_iterable(map(decided, domain.library.ways))
+    plans = list(islice(ways, MOST_PLANS))
+    if next(ways, None) is not None:
+        yield note(plans[0].place, f"only the first {MOST_PLANS} plans were tried out")
     obstacles = {plan: _obstacle(domain, plan, None) for plan in plans}
     possible = {plan.label for plan, obstacle in obstacles.items() if obstacle is None}
     for plan, obstacle in obstacles.items():

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from casper.engine.explanation import Explanation
+from casper.engine.situation import Situation
 from casper.kb.terms import Compound, as_term
 from casper.kb.writer import term_text
 
@@ -31,11 +31,11 @@ class CollaborativePlan:
     leaves: tuple[int, ...]
     awaited: tuple[int, ...] = ()
 
-    def after(self, explanation: Explanation) -> CollaborativePlan:
-        """What is left of it by an explanation of the same plan: what was done since is left out."""
+    def after(self, situation: Situation) -> CollaborativePlan:
+        """What is left of it when its plan stands there: what was done since is left out."""
 
         def left(leaves: Sequence[int], actions: Sequence[Compound]) -> list[tuple[int, Compound]]:
-            return [pair for pair in zip(leaves, actions) if not explanation.closed >> pair[0] & 1]
+            return [pair for pair in zip(leaves, actions) if not situation.closed >> pair[0] & 1]
 
         return _plan(self.agent, self.goal, left(self.awaited, self.waiting), left(self.leaves, self.actions))
 
@@ -49,26 +49,26 @@ class CollaborativePlan:
         }
 
 
-Capability: TypeAlias = Callable[[Explanation, int, str], tuple[Compound, bool]]
-"""(explanation, number of a leaf, agent) -> the action with every part filled in that can be; whether the agent can."""
+Capability: TypeAlias = Callable[[Situation, int, str], tuple[Compound, bool]]
+"""(situation, number of a leaf, agent) -> the action with every part filled in that can be; whether the agent can."""
 
 
-def collaborative_plan(agent: str, explanation: Explanation, capability: Capability) -> CollaborativePlan:
-    """The agent's part in finishing an explanation's plan: the longest run of its frontier that the agent can do.
+def collaborative_plan(agent: str, situation: Situation, capability: Capability) -> CollaborativePlan:
+    """The agent's part in finishing a plan: the longest run of its frontier that the agent can do.
 
     It waits for no optional part that was not begun: it may never come.
     """
-    before = explanation.plan.chart.before
+    before = situation.plan.chart.before
     actions: dict[int, Compound] = {}
     able: list[int] = []
-    for leaf in explanation.open_leaves:
-        actions[leaf], can = capability(explanation, leaf, agent)
+    for leaf in situation.open_leaves:
+        actions[leaf], can = capability(situation, leaf, agent)
         if can:
             able.append(leaf)
     run = longest_run(able, [leaf for leaf in actions if leaf not in able], before)
     needed = _union(before[leaf] for leaf in run) if run else -1  # nothing to do: everything is left to the partner
-    awaited = [leaf for leaf in actions if (needed & explanation.belonging) >> leaf & 1 and leaf not in run]
-    return _plan(agent, explanation.goal, [(a, actions[a]) for a in awaited], [(a, actions[a]) for a in run])
+    awaited = [leaf for leaf in actions if (needed & situation.belonging) >> leaf & 1 and leaf not in run]
+    return _plan(agent, situation.goal, [(a, actions[a]) for a in awaited], [(a, actions[a]) for a in run])
 
 
 def longest_run(able: Sequence[int], others: Sequence[int], before: Sequence[int]) -> tuple[int, ...]:

@@ -29,7 +29,7 @@ from casper.engine.matching import Binding, Matcher, Mismatch
 from casper.engine.observation import Observation, Seen, options_of
 from casper.engine.paths import best_first
 from casper.engine.policy import Standing
-from casper.engine.scoring import Score, paper
+from casper.engine.scoring import Score, least_tie, paper
 from casper.engine.states import NEEDLESS, Edges, Level, State, Weight, advance, start, successors, weigh
 from casper.plans.plan import Plan
 
@@ -242,9 +242,10 @@ class Counting:
         if not groups:
             return None
         top, label = groups[0], self._labels[groups[0].plan]
-        equal = takewhile(lambda group: group.weight == top.weight, groups)
+        least = least_tie(top.weight)
+        equal = list(takewhile(lambda group: group.weight >= least, groups))
         rivals = sum(group.ties for group in equal if self._labels[group.plan] != label)
-        return Standing(self.count, label, top.missed, rivals)
+        return Standing(self.count, label, top.missed, rivals, sum(group.ties for group in equal))
 
     def explanations(self) -> Iterator[Explanation]:
         """Every explanation, best first, lazily, with its share of all scores."""

@@ -11,7 +11,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from casper.engine.explanation import Explanation
 from casper.engine.matching import (
     Matcher,
     Mismatch,
@@ -26,6 +25,7 @@ from casper.engine.priors import priors_of
 from casper.engine.reading import Reading
 from casper.engine.recognisers import Options
 from casper.engine.scoring import score_named
+from casper.engine.situation import Situation
 from casper.kb.base import KnowledgeBase
 from casper.kb.clauses import Clause, Production, Sentence
 from casper.kb.errors import DomainError, PlanError
@@ -124,20 +124,20 @@ class Domain:
             return ParameterMatcher(self.library.ways)
         return VerifyingMatcher(self.library.ways, self.kb, self.partner)
 
-    def capability(self, explanation: Explanation, leaf: int, agent: str) -> tuple[Compound, bool]:
+    def capability(self, situation: Situation, leaf: int, agent: str) -> tuple[Compound, bool]:
         """A leaf's action with every part filled in that can be, and whether the knowledge base lets the agent do it.
 
         What is closed, and what comes before the leaf, is taken as done by then. A domain that verifies nothing lets
         nobody do anything.
         """
-        plan = explanation.plan
-        binding = explanation.binding or (None,) * len(plan.variables)
+        plan = situation.plan
+        binding = situation.binding or (None,) * len(plan.variables)
         if not self.verifies:
-            return explanation.leaves[leaf], False
+            return situation.leaves[leaf], False
         settled = settle(self.kb, plan, binding) if self.kb.defines(*GOAL) else binding
         known = bindings_of(plan, binding if isinstance(settled, Mismatch) else settled)
         actions = [substitute(action, known) for action in plan.leaves]
-        done = explanation.closed | plan.chart.before[leaf]
+        done = situation.closed | plan.chart.before[leaf]
         earlier = [action for at, action in enumerate(actions) if done >> at & 1]
         history = [(Compound((a.functor, self.partner, *a.args)), float(t)) for t, a in enumerate(earlier)]
         action = actions[leaf]

@@ -7,7 +7,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from casper.engine.matching import Binding, bindings_of
-from casper.kb.terms import Compound, as_term, substitute
+from casper.engine.situation import Situation
+from casper.kb.terms import Compound, as_term
 from casper.kb.writer import term_text
 from casper.plans.plan import Plan
 from casper.plans.tree import Status, plan_tree
@@ -48,10 +49,14 @@ class Explanation:
         return (self,)
 
     @cached_property
+    def situation(self) -> Situation:
+        """Where the plan stands by this explanation."""
+        return Situation(self.plan, self._reached[0], self.binding)
+
+    @property
     def leaves(self) -> tuple[Compound, ...]:
         """The plan's actions with what is known of their parameters."""
-        known = bindings_of(self.plan, self.binding) if self.binding else {}
-        return tuple(substitute(leaf, known) for leaf in self.plan.leaves)
+        return self.situation.leaves
 
     @cached_property
     def _reached(self) -> tuple[int, int]:
@@ -63,32 +68,24 @@ class Explanation:
             entered |= chart.inside[leaf]
         return progress[0], chart.belonging(entered)
 
-    @property
-    def closed(self) -> int:
-        """Mask of the leaves that are observed, missed or passed over (bit j = leaf j)."""
-        return self._reached[0]
-
-    @property
-    def belonging(self) -> int:
-        """Mask of the leaves that belong to the plan: all but those of optional parts nothing was observed of."""
-        return self._reached[1]
-
     @cached_property
     def status(self) -> tuple[Status, ...]:
-        """The status of every leaf."""
+        """The status of every leaf (`casper.plans.tree`)."""
         closed, belonging = self._reached
+        coming = set(self.open_leaves)
         return tuple(
             "observed" if leaf in self.marks
-            else "unobserved" if not closed >> leaf & 1
-            else "missed" if belonging >> leaf & 1
-            else "skipped"
+            else "missed" if closed & belonging & 1 << leaf
+            else "skipped" if closed >> leaf & 1
+            else "unobserved" if leaf in coming
+            else "alternative"
             for leaf in range(len(self.plan.leaves))
         )  # fmt: skip
 
     @property
     def open_leaves(self) -> tuple[int, ...]:
-        """The numbers of the leaves that are yet to be done; where the plan leaves the order open, in one that fits."""
-        return tuple(leaf for leaf, status in enumerate(self.status) if status == "unobserved")
+        """The numbers of the leaves that are yet to be done (`Situation.open_leaves`)."""
+        return self.situation.open_leaves
 
     @property
     def missed(self) -> int:
@@ -98,7 +95,7 @@ class Explanation:
     @property
     def frontier(self) -> tuple[Compound, ...]:
         """The ordered unobserved leaves: what is yet to be done (paper section III-G)."""
-        return tuple(self.leaves[leaf] for leaf in self.open_leaves)
+        return self.situation.frontier
 
     def tree(self) -> nx.DiGraph:
         """The marked tree (attributes: `casper.plans.tree`)."""

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from heapq import nlargest
-from itertools import groupby
+from itertools import groupby, takewhile
 from math import prod
 from typing import TypeAlias
 
@@ -24,7 +24,7 @@ from casper.engine.matching import Binding, Matcher, Mismatch
 from casper.engine.observation import Observation, Seen, options_of
 from casper.engine.paths import best_first
 from casper.engine.policy import Standing
-from casper.engine.scoring import Score, paper
+from casper.engine.scoring import Score, least_tie, paper
 from casper.engine.states import NEEDLESS, State, Weight, start
 from casper.plans.plan import Plan
 
@@ -265,15 +265,14 @@ class Interleaving:
         if not found:
             return None
         weight, (parts, _) = found[0]
-        goals = self._goals(parts)
-        weights, rivals = self._weights[-1], 0
-        for other, h in found:
-            if other != weight:
-                break
-            if self._goals(h[0]) != goals:
-                rivals += self._levels[-1][h] if weights is None else weights[h][2]
+        goals, least = self._goals(parts), least_tie(weight)
+        weights, rivals, ties = self._weights[-1], 0, 0
+        for _, h in takewhile(lambda pair: pair[0] >= least, found):
+            number = self._levels[-1][h] if weights is None else weights[h][2]
+            ties += number
+            rivals += number if self._goals(h[0]) != goals else 0
         missed = sum(state[3] for _, state in parts)
-        return Standing(self.count, " + ".join(goals), missed, rivals)
+        return Standing(self.count, " + ".join(goals), missed, rivals, ties)
 
     def _goals(self, parts: tuple[Part, ...]) -> tuple[str, ...]:
         return tuple(self.labels[plan] for plan, _ in parts)

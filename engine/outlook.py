@@ -11,11 +11,12 @@ from math import log2
 from typing import Any, Literal, TypeAlias
 
 from casper.engine.collaboration import Capability, CollaborativePlan, collaborative_plan
-from casper.engine.explanation import Explanation
 from casper.engine.matching import Binding, bindings_of
 from casper.engine.recognisers import Recogniser
+from casper.engine.situation import Situation
 from casper.kb.terms import Compound, as_term, substitute
 from casper.kb.writer import term_text
+from casper.plans.chart import bits
 from casper.plans.plan import Plan
 
 Kind: TypeAlias = Literal["goal", "done", "step", "next"]
@@ -88,7 +89,7 @@ class Outlook:
         for parts, share in self.engine.ends():
             for part in parts:
                 if part not in known:
-                    known[part] = collaborative_plan(agent, self._closed(*part), capability)
+                    known[part] = collaborative_plan(agent, self._situation(*part), capability)
             best = max((known[part] for part in parts), key=lambda plan: len(plan.actions))
             found[best] = found.get(best, 0.0) + share
         return _falling(found)
@@ -121,21 +122,16 @@ class Outlook:
             yield _shown(substitute(self.plans[plan].leaves[leaf], known))
 
     def _frontier(self, plan: int, closed: int, binding: Binding) -> tuple[Compound, ...]:
-        return self._closed(plan, closed, binding).frontier
+        return self._situation(plan, closed, binding).frontier
 
     def _done(self, plan: int, closed: int, binding: Binding) -> Iterator[str]:
         """What was observed, or missed and so done unseen; not what was passed over."""
-        explanation = self._closed(plan, closed, binding)
-        mandatory = self.plans[plan].chart.mandatory
-        for leaf, action in enumerate(explanation.leaves):
-            if (closed & mandatory) >> leaf & 1:
-                yield _shown(action)
+        situation = self._situation(plan, closed, binding)
+        for leaf in bits(closed & self.plans[plan].chart.mandatory):
+            yield _shown(situation.leaves[leaf])
 
-    def _closed(self, plan: int, closed: int, binding: Binding) -> Explanation:
-        """An explanation with all that is closed taken as done: it has the frontier and the parameters in question."""
-        chart = self.plans[plan].chart
-        done = tuple(leaf for leaf in range(chart.leaves) if closed >> leaf & 1)
-        return Explanation(self.plans[plan], done, binding, 0.0, 0.0)
+    def _situation(self, plan: int, closed: int, binding: Binding) -> Situation:
+        return Situation(self.plans[plan], closed, binding)
 
 
 def _question(

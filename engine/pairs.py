@@ -25,6 +25,7 @@ from casper.engine.interleaving import Interleaving
 from casper.engine.matching import Binding, Matcher, NameMatcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
+from casper.engine.scoring import least_tie
 from casper.plans.plan import Plan
 
 
@@ -188,26 +189,27 @@ class Pairs:
         top = max(float(pairs.max()), single[0] if single is not None else 0.0)
         if not top:
             return None
-        best: dict[tuple[int, ...], tuple[int, int]] = {}  # by plans: how many, and leaves left open
-        for _, plan, left, number in (entry for entry in self.single.tops() if entry[0] == top):
-            best[(plan,)] = (number, left)
-        for p, q in np.argwhere(np.triu(pairs == top)).tolist():
-            best[p, q] = self._ties(p, q, top)
-        plans = min(best)
+        least = least_tie(top)
+        best: dict[tuple[int, ...], tuple[float, int, int]] = {}  # by plans: weight, how many, and leaves left open
+        for weight, plan, left, number in (entry for entry in self.single.tops() if entry[0] >= least):
+            best[(plan,)] = (weight, number, left)
+        for p, q in np.argwhere(np.triu(pairs >= least)).tolist():
+            best[p, q] = (float(pairs[p, q]), *self._ties(p, q, least))
+        plans = min(plans for plans, (weight, _, _) in best.items() if weight == top)
         goals = self._goals(plans)
-        missed = sum(len(self.plans[plan].leaves) for plan in plans) - best[plans][1] - len(self.observations)
-        rivals = sum(number for others, (number, _) in best.items() if self._goals(others) != goals)
-        return Standing(self.count, " + ".join(goals), missed, rivals)
+        missed = sum(len(self.plans[plan].leaves) for plan in plans) - best[plans][2] - len(self.observations)
+        rivals = sum(number for others, (_, number, _) in best.items() if self._goals(others) != goals)
+        return Standing(self.count, " + ".join(goals), missed, rivals, sum(number for _, number, _ in best.values()))
 
     def _goals(self, plans: tuple[int, ...]) -> tuple[str, ...]:
         return tuple(self.labels[plan] for plan in plans)
 
-    def _ties(self, p: int, q: int, top: float) -> tuple[int, int]:
+    def _ties(self, p: int, q: int, least: float) -> tuple[int, int]:
         """How many explanations of the two plans weigh as much as the best, and how many leaves these leave open."""
         k, found, left = len(self.observations), 0, 0
         for x, y, number in self._cells(p, q):
             open_leaves = int(self.right[x] + self.right[y])
-            if self.prior[p, q] * (k * (open_leaves + k) / self.square[p, q]) == top:
+            if self.prior[p, q] * (k * (open_leaves + k) / self.square[p, q]) >= least:
                 found, left = found + number, open_leaves
         return found, left
 

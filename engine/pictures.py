@@ -1,7 +1,8 @@
 """Pictures of explanation trees, with the paper's conventions (figure "score").
 
-An observed action is filled, a missed one textured, an unobserved one dashed; an optional one that was passed over is
-dotted. A task looks as all its actions do. matplotlib is imported when a picture is drawn.
+An observed action is filled, a missed one textured, an unobserved one dashed; one that was passed over, or that may be
+done instead of what is expected, is dotted. A task looks as its actions do. matplotlib is imported when a picture is
+drawn.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ STYLES: dict[str, dict[str, Any]] = {
     "missed": {"facecolor": "white", "edgecolor": "#8c2d04", "hatch": "////"},
     "unobserved": {"facecolor": "white", "edgecolor": "#555555", "linestyle": "dashed"},
     "skipped": {"facecolor": "white", "edgecolor": "#bbbbbb", "linestyle": "dotted"},
+    "alternative": {"facecolor": "#f7f7f7", "edgecolor": "#999999", "linestyle": "dotted"},
 }
 _WIDTH, _HEIGHT = 1.9, 1.05  # inches a leaf and a row take
 

@@ -19,7 +19,8 @@ class Standing:
     explanations: int  # how many there are
     best_goal: str | None
     best_missed: int
-    rivals: int  # explanations of other goals that score as high as the best
+    rivals: int  # explanations of other goals that weigh as much as the best
+    ties: int = 1  # explanations that weigh as much as the best, itself among them
 
 
 Policy: TypeAlias = Callable[[Standing], str | None]

@@ -46,7 +46,7 @@ class Reading:
         library: PlanLibrary,
         matcher: Matcher,
         policy: Policy = strict,
-        capability: Capability = lambda explanation, leaf, agent: (explanation.leaves[leaf], False),
+        capability: Capability = lambda situation, leaf, agent: (situation.leaves[leaf], False),
         options: Options = PAPER,
     ) -> None:
         self.library, self.policy, self.options = library, policy, options
@@ -128,6 +128,12 @@ class Reading:
         return best.share if best is not None else 0.0
 
     @property
+    def ties(self) -> int:
+        """How many explanations weigh as much as the best one, itself among them; 0 when there is none."""
+        standing = self._engine.standing() if self.observations else None
+        return 0 if standing is None else standing.ties
+
+    @property
     def outcome(self) -> str | None:
         """The goal the policy commits to, or None."""
         standing = self._engine.standing() if self.observations else None
@@ -167,7 +173,7 @@ class Reading:
         chosen = explanation or next(self.explanations(), None)
         if chosen is None:
             return None
-        plans = [collaborative_plan(agent, part, self._capability) for part in chosen.parts]
+        plans = [collaborative_plan(agent, part.situation, self._capability) for part in chosen.parts]
         return max(plans, key=lambda plan: len(plan.actions))
 
     # --- what is likely to come ------------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from casper.plans.plan import Plan, is_plain
 
 MANY_PAIRS = 10
 MANY_LEAVES = 400  # of one name: from here on arrays beat plain Python (benchmarks/recognition/growth.py)
+MANY_NOISY_LEAVES = 12  # the same where observations may be needless: a state more for each needless one
 MANY_PLANS = 2000  # here too: a posterior is no longer copied for each observation
 
 
@@ -103,8 +104,9 @@ def _is_number(value: Any) -> bool:
 def recogniser(plans: Sequence[Plan], matcher: Matcher, options: Options) -> Recogniser:
     """The fastest engine that does what is asked."""
     options.check()
+    by_name = options.measure is paper and _by_name(plans, matcher)
     priors = [options.priors[plan.label] for plan in plans] if options.priors else None
-    plain = options.noise is None and options.measure is paper and _by_name(plans, matcher)
+    plain = by_name and options.noise is None
     if options.goals > 1:
         from casper.engine.interleaving import Interleaving
 
@@ -114,6 +116,10 @@ def recogniser(plans: Sequence[Plan], matcher: Matcher, options: Options) -> Rec
             if fits(plans):
                 return Pairs(plans, matcher, priors)
         return Interleaving(plans, matcher, options.goals, options.noise, priors, options.measure, options.budget)
+    if by_name and options.noise is not None and _leaves_looked_at(plans) >= MANY_NOISY_LEAVES and _has_numpy():
+        from casper.engine.noisy_arrays import NoisyArrays
+
+        return NoisyArrays(plans, matcher, options.noise, priors)
     if not plain:
         return Counting(plans, matcher, options.noise, priors, options.measure)
     if not _is_large(plans) or not _has_numpy():
@@ -134,10 +140,14 @@ def _by_name(plans: Sequence[Plan], matcher: Matcher) -> bool:
 
 
 def _is_large(plans: Sequence[Plan]) -> bool:
-    """Whether an observation has so many leaves to look at, on average, that arrays pay."""
+    """Whether an observation has so many leaves to look at that arrays pay."""
+    return len(plans) >= MANY_PLANS or _leaves_looked_at(plans) >= MANY_LEAVES
+
+
+def _leaves_looked_at(plans: Sequence[Plan]) -> float:
+    """How many leaves have an observation's name, on average."""
     names = Counter(leaf[0] for plan in plans for leaf in plan.leaves)
-    looked_at = sum(number * number for number in names.values()) / sum(names.values())
-    return len(plans) >= MANY_PLANS or looked_at >= MANY_LEAVES
+    return sum(number * number for number in names.values()) / sum(names.values())
 
 
 def _has_numpy() -> bool:

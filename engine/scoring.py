@@ -1,8 +1,9 @@
 """Scores of an explanation, as exact fractions: the paper's, and others that weigh the same counts differently.
 
 A score is a function of (leaves of the plan, observed leaves, missed leaves) and gives numerator and denominator. From
-integers by one division it is correctly rounded: equal scores are equal floats, so ties are exact. An optional part
-that nothing was observed of is no part of the plan: its leaves are neither counted nor missed.
+integers by one division it is correctly rounded: equal scores are equal floats. Prices and priors round once more; so
+weights tie that differ by no more than `TIE`. An optional part that nothing was observed of is no part of the plan: its
+leaves are neither counted nor missed.
 
 The table `SCORES` is the registry.
 """
@@ -15,6 +16,14 @@ from typing import TypeAlias
 from casper.kb.errors import CasperError
 
 Score: TypeAlias = Callable[[int, int, int], tuple[int, int]]
+
+
+TIE = 1e-12  # relative; different scores of plans of up to a thousand leaves differ by more
+
+
+def least_tie(top: float) -> float:
+    """The least weight that ties with the best one."""
+    return top * (1 - TIE)
 
 
 def paper(leaves: int, observed: int, missed: int) -> tuple[int, int]:

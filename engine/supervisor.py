@@ -92,7 +92,7 @@ class Supervisor:
             assert plan is not None
             self.commitment = commitment = replace(commitment, explanation=explanation, plan=plan)
         else:
-            plan = commitment.plan.after(part)
+            plan = commitment.plan.after(part.situation)
         if (plan.waiting, plan.actions) != (self.waiting, self.actions):
             self.waiting, self.actions = plan.waiting, plan.actions
             yield self._plan_event(t)

@@ -1,14 +1,15 @@
 """Charts: what a plan's shapes mean for its leaves, as bit masks (bit j = leaf j, in the order of ``plan.leaves``).
 
 Observing a leaf *closes* it and every leaf that the plan puts before it; whatever the plan leaves open, in whatever
-order, stays so. So a chart keeps what comes before every leaf, and the leaves of every optional part: they belong to
-the plan once one of them was observed, and not before. Plans without shapes share one chart for each length: leaf j
-comes after 0 … j-1, and all leaves belong.
+order, stays so. Parts of a plan may be done or not: an optional part belongs to the plan once one of its leaves was
+observed, and not before; an alternative likewise, and then the leaves of its rivals are closed and belong no more. As
+long as a choice is open its smallest alternative stands for it. Plans without shapes share one chart for each length:
+leaf j comes after 0 … j-1, and all leaves belong.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
@@ -16,23 +17,37 @@ from typing import TypeAlias
 from casper.plans.plan import Action, Node, Plan, Shape, is_plain
 
 Progress: TypeAlias = tuple[int, int, int, int]
-"""Mask of the closed leaves, mask of the open optional parts that were entered, leaves of the plan, missed ones."""
+"""Mask of the closed leaves, mask of the open parts that were entered, leaves of the plan, missed ones."""
 
 
 @dataclass(frozen=True)
 class Part:
-    """An optional part: all its leaves, and those that belong to the plan once it is entered (not to a part in it)."""
+    """An optional part, or an alternative of a choice.
+
+    ``leaves`` are all its leaves, ``own`` those that belong to the plan once it is entered (and nothing in it is),
+    ``rivals`` the leaves of the other alternatives, ``instead`` those that stood for the choice until then. A part
+    ``is_spare`` when it is an alternative that another one stands for.
+    """
 
     leaves: int
     own: int
+    rivals: int = 0
+    instead: int = 0
+    is_spare: bool = False
+
+    @property
+    def growth(self) -> int:
+        """How many leaves the plan has more once the part is entered."""
+        return self.own.bit_count() - self.instead.bit_count()
 
 
 @dataclass(frozen=True)
 class Chart:
-    """The order and the optional parts of a plan's leaves.
+    """The order and the parts of a plan's leaves.
 
-    ``before[j]`` are the leaves that come before leaf j, ``parts`` the optional parts, ``inside[j]`` (a mask over
-    parts) those that leaf j stands in, ``mandatory`` the leaves that stand in none.
+    ``before[j]`` are the leaves that come before leaf j, ``parts`` the optional parts and alternatives, the outer ones
+    first, ``inside[j]`` (a mask over parts) those that leaf j stands in, ``mandatory`` the leaves that stand in none,
+    ``expected`` those that belong to the plan before anything is observed.
     """
 
     leaves: int
@@ -40,30 +55,35 @@ class Chart:
     parts: tuple[Part, ...]
     inside: tuple[int, ...]
     mandatory: int
+    expected: int
     _belongs: dict[int, int] = field(default_factory=dict, compare=False)
 
     @cached_property
     def is_chain(self) -> bool:
-        """Whether each leaf simply comes after the one before, and none is optional."""
+        """Whether each leaf simply comes after the one before, and all are done."""
         return not self.parts and all(mask == (1 << j) - 1 for j, mask in enumerate(self.before))
 
     @property
     def start(self) -> Progress:
-        """Nothing closed, nothing entered, only the mandatory leaves belong to the plan."""
-        return (0, 0, self.mandatory.bit_count(), 0)
+        """Nothing closed, nothing entered, only what is expected belongs to the plan."""
+        return (0, 0, self.expected.bit_count(), 0)
 
     def close(self, progress: Progress, leaf: int) -> Progress:
         """The progress after an open leaf was observed."""
         closed, entered, size, missed = progress
-        newly = (self.before[leaf] | 1 << leaf) & ~closed
-        closed |= newly
+        newly = self.before[leaf] | 1 << leaf
         if not self.parts:
-            return (closed, 0, size, missed + newly.bit_count() - 1)
+            newly &= ~closed
+            return (closed | newly, 0, size, missed + newly.bit_count() - 1)
         joined = self.inside[leaf] & ~entered
+        for at in bits(joined):
+            newly |= self.parts[at].rivals
+            size += self.parts[at].growth
+        newly &= ~closed
         entered |= joined
         missed += (newly & self.belonging(entered)).bit_count() - 1
-        size += sum(part.own.bit_count() for at, part in enumerate(self.parts) if joined >> at & 1)
-        still_open = sum(1 << at for at, part in enumerate(self.parts) if entered >> at & 1 and part.leaves & ~closed)
+        closed |= newly
+        still_open = sum(1 << at for at in bits(entered) if self.parts[at].leaves & ~closed)
         return (closed, still_open, size, missed)
 
     def directly_before(self, leaf: int) -> list[int]:
@@ -71,26 +91,39 @@ class Chart:
         earlier = self.before[leaf]
         if self.is_chain:
             return [leaf - 1] if leaf else []
-        covered = _union(self.before[j] for j in range(self.leaves) if earlier >> j & 1)
-        return [j for j in range(self.leaves) if (earlier & ~covered) >> j & 1]
+        covered = union(self.before[j] for j in bits(earlier))
+        return list(bits(earlier & ~covered))
+
+    def rivals(self, leaf: int) -> int:
+        """Mask of the leaves that are never done where this one is."""
+        return union(self.parts[at].rivals for at in bits(self.inside[leaf]))
 
     def entered(self, closed: int) -> int:
-        """The optional parts that were entered and are still open: those that are closed in part."""
-        return _union(1 << at for at, p in enumerate(self.parts) if p.leaves & closed and p.leaves & ~closed)
+        """The parts that were entered and are still open: those that are closed in part."""
+        return union(1 << at for at, p in enumerate(self.parts) if p.leaves & closed and p.leaves & ~closed)
 
     def next_leaves(self, closed: int) -> list[int]:
         """The leaves that may be done next without missing any."""
         progress = (closed, self.entered(closed), 0, 0)
         return [j for j in range(self.leaves) if not closed >> j & 1 and not self.close(progress, j)[3]]
 
+    def coming_leaves(self, closed: int) -> list[int]:
+        """The leaves yet to be done, optional ones too; of a choice that is open those of its smallest alternative."""
+        aside = self.spares & ~self.entered(closed)
+        return [j for j in range(self.leaves) if not (closed >> j & 1 or self.inside[j] & aside)]
+
+    @cached_property
+    def spares(self) -> int:
+        """Mask of the parts that are alternatives for which another one stands."""
+        return union(1 << at for at, part in enumerate(self.parts) if part.is_spare)
+
     def belonging(self, entered: int) -> int:
-        """The leaves of the plan when these optional parts were entered."""
+        """The leaves of the plan when these parts were entered (right for all that is not closed)."""
         mask = self._belongs.get(entered)
         if mask is None:
-            mask = self.mandatory
-            for at, part in enumerate(self.parts):
-                if entered >> at & 1:
-                    mask |= part.own
+            mask = self.expected
+            for at in bits(entered):
+                mask = mask & ~self.parts[at].instead | self.parts[at].own
             self._belongs[entered] = mask
         return mask
 
@@ -102,47 +135,63 @@ def draw_chart(plan: Plan) -> Chart:
     """The chart of a plan (`Plan.chart` keeps it); plans without shapes share one for each length."""
     leaves = len(plan.leaves)
     if not is_plain(plan):
-        return _drawn(plan, leaves)
+        return _Drawing(leaves).chart(plan.root)
     if leaves not in _CHAINS:
         everything = (1 << leaves) - 1
         before = tuple((1 << j) - 1 for j in range(leaves))
-        _CHAINS[leaves] = Chart(leaves, before, (), (0,) * leaves, everything)
+        _CHAINS[leaves] = Chart(leaves, before, (), (0,) * leaves, everything, everything)
     return _CHAINS[leaves]
 
 
-def _drawn(plan: Plan, leaves: int) -> Chart:
-    before, inside = [0] * leaves, [0] * leaves
-    spans: list[int] = []  # the leaves of every optional part
-    count = 0
+class _Drawing:
+    """Numbers the leaves of a tree from left to right, and its parts from the outside in."""
 
-    def add(node: Node, earlier: int, within: int) -> int:
-        """Number the node's leaves; the mask of them."""
-        nonlocal count
+    def __init__(self, leaves: int) -> None:
+        self.before, self.inside, self.count = [0] * leaves, [0] * leaves, 0
+        self.parts: list[Part] = []
+
+    def chart(self, root: Node) -> Chart:
+        """The chart of the tree."""
+        _, expected = self.add(root, 0, 0)
+        mandatory = union(1 << j for j, within in enumerate(self.inside) if within == 0)
+        before, inside = tuple(self.before), tuple(self.inside)
+        return Chart(len(before), before, tuple(self.parts), inside, mandatory, expected)
+
+    def add(self, node: Node, earlier: int, within: int) -> tuple[int, int]:
+        """Masks of the node's leaves, and of those that belong to the plan where the node does."""
         if isinstance(node, Action):
-            before[count], inside[count] = earlier, within
-            count += 1
-            return 1 << count - 1
-        number = -1
-        if isinstance(node, Shape) and node.kind == "optional":
-            number = len(spans)
-            spans.append(0)
+            self.before[self.count], self.inside[self.count] = earlier, within
+            self.count += 1
+            return 1 << self.count - 1, 1 << self.count - 1
+        if isinstance(node, Shape) and node.kind == "choice":
+            return self.choice(node, earlier, within)
+        number = len(self.parts)
+        is_part = isinstance(node, Shape) and node.kind == "optional"
+        if is_part:
+            self.parts.append(Part(0, 0))
             within |= 1 << number
         masks: list[int] = []
+        expected = 0
         for child, needs in zip(node.children, children_before(node)):
-            masks.append(add(child, earlier | _union(masks[i] for i in needs), within))
-        mask = _union(masks)
-        if number >= 0:
-            spans[number] = mask
-        return mask
+            mask, belongs = self.add(child, earlier | union(masks[i] for i in needs), within)
+            masks.append(mask)
+            expected |= belongs
+        if is_part:
+            self.parts[number] = Part(union(masks), expected)
+        return union(masks), 0 if is_part else expected
 
-    add(plan.root, 0, 0)
-    innermost = [within.bit_length() - 1 for within in inside]  # parts are numbered from the outside in
-    parts = tuple(
-        Part(span, _union(1 << j for j in range(leaves) if innermost[j] == number))
-        for number, span in enumerate(spans)
-    )
-    mandatory = _union(1 << j for j in range(leaves) if inside[j] == 0)
-    return Chart(leaves, tuple(before), parts, tuple(inside), mandatory)
+    def choice(self, node: Shape, earlier: int, within: int) -> tuple[int, int]:
+        """As `add`, for the alternatives of a choice."""
+        found: list[tuple[int, int, int]] = []  # number of the part, its leaves, those that belong
+        for child in node.children:
+            number = len(self.parts)
+            self.parts.append(Part(0, 0))
+            found.append((number, *self.add(child, earlier, within | 1 << number)))
+        first, _, smallest = min(found, key=lambda alternative: alternative[2].bit_count())
+        everything = union(leaves for _, leaves, _ in found)
+        for number, leaves, own in found:
+            self.parts[number] = Part(leaves, own, everything & ~leaves, smallest, number != first)
+        return everything, smallest
 
 
 def children_before(node: Node) -> list[set[int]]:
@@ -156,7 +205,16 @@ def children_before(node: Node) -> list[set[int]]:
     return needs
 
 
-def _union(masks: Iterable[int]) -> int:
+def bits(mask: int) -> Iterator[int]:
+    """The numbers of the bits that are set, from the lowest."""
+    while mask:
+        lowest = mask & -mask
+        yield lowest.bit_length() - 1
+        mask ^= lowest
+
+
+def union(masks: Iterable[int]) -> int:
+    """The leaves of any of the masks."""
     total = 0
     for mask in masks:
         total |= mask

@@ -1,16 +1,17 @@
-"""From grammar to plans: every choice among alternatives, with parameters flowing through unification.
+"""From grammar to plans: parameters flow through unification, and what does not depend on them stays open.
 
 Shapes in a body: ``(X ; Y)`` is a choice, ``optional(X)`` is X or nothing, ``unordered(X, Y, …)`` any order of its
 arguments, ``steps([a: X, b: Y, …], [a < b, …])`` any order that keeps the stated pairs, ``repeat(X, Min, Max)`` X
-from Min to Max times. What is not a choice is kept in the plan as `casper.plans.plan.Shape` (`casper.plans.spelling`
-spells it out); an optional part that has several ways, or that settles a parameter of what surrounds it, is a choice.
+from Min to Max times. They, and the productions of a task, are kept in the plan as `casper.plans.plan.Shape`
+(`casper.plans.spelling` spells them out). Only alternatives that settle a parameter of what surrounds them make plans
+of their own.
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Literal, TypeAlias
 
@@ -34,7 +35,9 @@ from casper.plans.plan import Action, Node, Plan, Shape, Task
 from casper.plans.shapes import CHOICES, SHAPES, Items, partial_order
 
 MOST_PLANS = 100_000
+MOST_ITEMS = 20_000  # of one goal, with everything it may be done by
 _BOUND = "setting(plans, recursion, N) says how often it may"
+_LOWER = "lower the bound of setting(plans, recursion, N), or give the goal fewer choices"
 _ONLY_NAMES = "an item of a plan is an action or a task, such as wash(Plate, sink)"
 
 
@@ -63,9 +66,7 @@ def expand(
         if goal.indicator not in grammar.methods:
             raise PlanError(f"the goal {term_text(as_term(goal))} has no production: write {goal.functor} --> …", place)
         way = 0
-        for node, bindings in grammar.task(goal, {}, (), place):
-            root = _settled(node, bindings)
-            assert isinstance(root, Task)
+        for root in _roots(grammar, goal, place):
             if _can_be_empty(root):
                 raise PlanError(f"a plan of {label} has no action at all", place)
             yield Plan(label, root, way, place)
@@ -76,6 +77,17 @@ def expand(
             raise PlanError(f"no choice of productions completes the goal {label}: their parameters disagree", place)
 
 
+def _roots(grammar: _Grammar, goal: Compound, place: Place) -> Iterator[Task]:
+    grammar.items = 0
+    try:
+        for node, bindings in grammar.task(goal, {}, (), place):
+            root = _settled(node, bindings)
+            assert isinstance(root, Task)
+            yield root
+    except RecursionError:
+        raise PlanError(f"the plans of {goal.functor} are nested too deeply; {_LOWER}", place) from None
+
+
 def _labels(goals: Sequence[Compound]) -> list[str]:
     names = Counter(goal.functor for goal in goals)
     return [g.functor if names[g.functor] == 1 else term_text(as_term(g)) for g in goals]
@@ -84,7 +96,8 @@ def _labels(goals: Sequence[Compound]) -> list[str]:
 def _can_be_empty(node: Node) -> bool:
     if isinstance(node, Action):
         return False
-    return (isinstance(node, Shape) and node.kind == "optional") or all(map(_can_be_empty, node.children))
+    kind = node.kind if isinstance(node, Shape) else "sequence"
+    return kind == "optional" or (any if kind == "choice" else all)(map(_can_be_empty, node.children))
 
 
 def _is_settled(node: Node) -> bool:
@@ -130,7 +143,8 @@ def _fresh_name(variable: Variable, taken: set[str]) -> Variable:
     return Variable(name)
 
 
-Ways: TypeAlias = Iterator[tuple[tuple[Node, ...], Bindings]]
+Way: TypeAlias = tuple[tuple[Node, ...], Bindings]  # what is done in order, and what is known then
+Ways: TypeAlias = Iterator[Way]
 
 
 @dataclass
@@ -141,7 +155,7 @@ class _Grammar:
 
     def __init__(self, productions: Sequence[Production], recursion: int = 0) -> None:
         self.methods = {}
-        self.serial = 0
+        self.serial = self.items = 0
         self.recursion = recursion
         self.actions: dict[tuple[Term, int], Action] = {}  # by item and place: large libraries repeat themselves
         for production in productions:
@@ -150,14 +164,14 @@ class _Grammar:
     def task(
         self, term: Compound, bindings: Bindings, above: tuple[Compound, ...], place: Place
     ) -> Iterator[tuple[Task, Bindings]]:
-        """Every way to do a task: its productions in order, each with every choice inside."""
+        """Every way to do a task: its productions in order, those together that settle no parameter outside of it."""
         inside = sum(term.indicator == other.indicator for other in above)
         if inside > self.recursion > 0:
             return
         if inside > self.recursion:
             circle = " needs ".join(str(t.functor) for t in (*above, term))
             raise PlanError(f"the task {term.functor} contains itself ({circle}); a plan must end: {_BOUND}", place)
-        found = False
+        serial, ways, fits = self.serial, list[Way](), False
         for production in self.methods[term.indicator]:
             head, body = production.head, production.body
             if not (is_ground(head) and is_ground(body)):
@@ -165,10 +179,11 @@ class _Grammar:
                 head, body = renamed([head, body], self.serial)
             extended = unify(head, term, bindings)  # this way round the goal keeps its parameters' names
             if extended is not None:
-                found = True
-                for children, result in self.item(body, extended, (*above, term), production.place):
-                    yield Task(term, children), result
-        if not found and not above:
+                fits = True
+                ways.extend(self.item(body, extended, (*above, term), production.place))
+        for children, result in _together(ways, bindings, serial):
+            yield Task(term, children), result
+        if not fits and not above:
             raise PlanError(f"no production fits the goal {term_text(as_term(term))}", place)
 
     def item(self, item: Term, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Ways:
@@ -176,6 +191,9 @@ class _Grammar:
         if not isinstance(item, (str, Compound)):
             raise PlanError(f"{term_text(renamed([item], 0)[0])} cannot stand in a plan: {_ONLY_NAMES}", place)
         term = predication(item)
+        self.items += 1
+        if self.items > MOST_ITEMS:
+            raise PlanError(f"a goal has more than {MOST_ITEMS} steps with all its choices; {_LOWER}", place)
         if term.functor in SHAPES and term.args and term.indicator not in self.methods:
             yield from self.shape(term, bindings, above, place)
         elif term.indicator in self.methods:
@@ -197,12 +215,14 @@ class _Grammar:
         if part is not None:
             yield part
             return
-        for items in CHOICES[term.functor](term, place):
-            yield from self.sequence(items, bindings, above, place)
+        serial = self.serial
+        rows = CHOICES[term.functor](term, place)
+        ways = [way for items in rows for way in self.sequence(items, bindings, above, place)]
+        yield from _together(ways, bindings, serial) if term.functor == ";" else ways
 
     def optional(
         self, term: Compound, bindings: Bindings, above: tuple[Compound, ...], place: Place
-    ) -> tuple[tuple[Node, ...], Bindings] | None:
+    ) -> Way | None:
         """An optional part as a node of the plan; None where it is a choice."""
         serial = self.serial
         ways = list(islice(self.sequence(term.args, bindings, above, place), 2))
@@ -213,7 +233,7 @@ class _Grammar:
     def wrapped(self, item: Term, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Ways:
         """Every way to do one item, as exactly one node."""
         for nodes, extended in self.item(item, bindings, above, place):
-            yield (nodes if len(nodes) == 1 else (Shape("sequence", nodes),)), extended
+            yield (_one(nodes),), extended
 
     def sequence(
         self,
@@ -246,6 +266,33 @@ class _Grammar:
                 action = self.actions[item, id(place)] = Action(term, place)
             actions.append(action)
         return tuple(actions)
+
+
+def _one(nodes: tuple[Node, ...]) -> Node:
+    return nodes[0] if len(nodes) == 1 else Shape("sequence", nodes)
+
+
+def _together(ways: Sequence[Way], before: Bindings, serial: int) -> Ways:
+    """The ways as alternatives of one choice, but for those that say something of parameters that were there before."""
+    free = [way for way in ways if not any(v.serial <= serial for v in way[1].keys() - before.keys())]
+    if len(free) < 2:
+        yield from ways
+        return
+    choice = Shape("choice", tuple(_with_values(_one(nodes), bindings) for nodes, bindings in free))
+    at = next(at for at, way in enumerate(ways) if way is free[0])
+    yield from ways[:at]
+    yield (choice,), before
+    yield from (way for way in ways[at:] if not any(way is other for other in free))
+
+
+def _with_values(node: Node, bindings: Bindings) -> Node:
+    """The tree with what became of its parameters: alternatives may give those of one production different values."""
+    if isinstance(node, Action):
+        return replace(node, term=substitute(node.term, bindings))
+    children = tuple(_with_values(child, bindings) for child in node.children)
+    if isinstance(node, Shape):
+        return replace(node, children=children)
+    return Task(substitute(node.term, bindings), children)
 
 
 def _settles(before: Bindings, after: Bindings, serial: int) -> bool:

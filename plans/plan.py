@@ -34,12 +34,12 @@ class Action:
 class Shape:
     """Steps of a task that are more than one after the other: they hang from the task that the shape stands in.
 
-    ``kind`` is ``sequence``, ``optional`` (both in order), ``unordered``, or ``steps``: then ``order`` holds the pairs
-    of child numbers of which the first comes before the second, and the children stand in an order that keeps them.
-    Children that no order relates may interleave, whatever they consist of.
+    ``kind`` is ``sequence``, ``optional`` (both in order), ``choice`` (one of the children is done), ``unordered``, or
+    ``steps``: then ``order`` holds the pairs of child numbers of which the first comes before the second, and the
+    children stand in an order that keeps them. Children that no order relates may interleave.
     """
 
-    kind: Literal["sequence", "optional", "unordered", "steps"]
+    kind: Literal["sequence", "optional", "choice", "unordered", "steps"]
     children: tuple[Node, ...]
     order: frozenset[tuple[int, int]] = frozenset()
 
@@ -49,12 +49,12 @@ Node: TypeAlias = Task | Action | Shape
 
 @dataclass(frozen=True)
 class Plan:
-    """One way to pursue a goal.
+    """One way to pursue a goal, with what it leaves open.
 
     ``label`` is what the goal is called in results: its name, or the whole term where several goals share the name.
-    ``way`` numbers the plans of one goal from 0. ``leaves`` stand in one order that the plan allows (the only one,
-    where it has no `Shape`). Parameters that are not settled are variables, the same ones in the goal and in the
-    leaves.
+    ``way`` numbers the plans of one goal from 0. ``leaves`` are the actions of all alternatives, in one order that the
+    plan allows (the only one, where it has no `Shape`). Parameters that are not settled are variables, the same ones in
+    the goal and in the leaves.
     """
 
     label: str

@@ -4,6 +4,7 @@
     uses(Goal, Thing)            some action of the goal's plan names the thing: "which goals use the plate?"
     before(Goal, N, M)           its leaf number N is the last, or one of the last, that must come before number M
     optional(Goal, Number)       this leaf of the goal's plan may be left out
+    alternative(Goal, N, M)      where its leaf N is done, leaf M never is
     task(Task)                   the task is done by a production
 
 Each holds for the goals that the knowledge base allows: ``goal(breakfast(F)) :- biscuits(F)`` makes F the biscuits.
@@ -16,17 +17,18 @@ from collections.abc import Iterator
 
 from casper.kb.clauses import Clause, Literal
 from casper.kb.terms import Compound, Variable, as_term, is_ground, variables_of
+from casper.plans.chart import bits
 from casper.plans.library import PlanLibrary
 from casper.plans.plan import Plan
 
 RELATIONS = (
-    *(("step", 3), ("uses", 2), ("before", 3), ("optional", 2), ("task", 1)),
-    *(("plan_step", 3), ("plan_uses", 2), ("plan_before", 3), ("plan_optional", 2)),
+    *(("step", 3), ("uses", 2), ("before", 3), ("optional", 2), ("alternative", 3), ("task", 1)),
+    *(("plan_step", 3), ("plan_uses", 2), ("plan_before", 3), ("plan_optional", 2), ("plan_alternative", 3)),
 )
 
 
 def plan_clauses(library: PlanLibrary) -> Iterator[Clause]:
-    """The clauses of step/3, uses/2, before/3, optional/2 and task/1 for a library."""
+    """The clauses of step/3, uses/2, before/3, optional/2, alternative/3 and task/1 for a library."""
     seen: set[Clause] = set()
     for plan in library.ways:
         for row in _rows(plan):
@@ -52,6 +54,8 @@ def _rows(plan: Plan) -> Iterator[Compound]:
             yield Compound(("before", goal, earlier + 1, number))
         if not chart.mandatory >> number - 1 & 1:
             yield Compound(("optional", goal, number))
+        for rival in bits(chart.rivals(number - 1)):
+            yield Compound(("alternative", goal, number, rival + 1))
 
 
 def _general(row: Compound) -> Clause:

@@ -1,4 +1,4 @@
-"""Spelling a plan out: each order and each set of optional parts that its shapes allow, as a plan of its own.
+"""Spelling a plan out: each choice, each order and each set of optional parts that it allows, as a plan of its own.
 
 Items that no order relates interleave. A task whose actions do not stay together in a row has no node there: its
 actions hang from the task above.
@@ -7,10 +7,11 @@ actions hang from the task above.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TypeAlias
 
 from casper.plans.chart import children_before
-from casper.plans.plan import Action, Node, Plan, Task, actions_below, is_plain
+from casper.plans.plan import Action, Node, Plan, Shape, Task, actions_below, is_plain
 
 Row: TypeAlias = tuple[Node, ...]  # nodes without shapes, one after the other
 
@@ -25,6 +26,33 @@ def spelled_out(plan: Plan) -> Iterator[Plan]:
         yield Plan(plan.label, root, plan.way, plan.place)
 
 
+def decided(plan: Plan) -> Iterator[Plan]:
+    """A plan for each way to decide all its choices, with its other shapes as they are."""
+    for root in _decided(plan.root):
+        assert isinstance(root, Task)
+        yield Plan(plan.label, root, plan.way, plan.place)
+
+
+def _decided(node: Node) -> Iterator[Node]:
+    if isinstance(node, Action):
+        yield node
+    elif isinstance(node, Shape) and node.kind == "choice":
+        for child in node.children:
+            yield from _decided(child)
+    else:
+        for children in _all_decided(node.children):
+            yield replace(node, children=children)
+
+
+def _all_decided(nodes: Sequence[Node]) -> Iterator[Row]:
+    if not nodes:
+        yield ()
+        return
+    for first in _decided(nodes[0]):
+        for rest in _all_decided(nodes[1:]):
+            yield (first, *rest)
+
+
 def _rows(node: Node) -> Iterator[Row]:
     """Every row of nodes that a node stands for."""
     if isinstance(node, Action):
@@ -32,6 +60,9 @@ def _rows(node: Node) -> Iterator[Row]:
     elif isinstance(node, Task):
         for rows in _choices(node.children):
             yield (Task(node.term, _joined(rows)),)
+    elif node.kind == "choice":
+        for child in node.children:
+            yield from _rows(child)
     elif node.kind in ("unordered", "steps"):
         before = children_before(node)
         for rows in _choices(node.children):

@@ -8,8 +8,10 @@ what it is done by. Every node has the attributes
     kind     "goal", "task" or "action"
     leaf     the number of the action among the plan's leaves, from 0 (None for a goal or task)
     status   "observed", "missed" or "unobserved"; a task is observed (missed) when all its leaves are, else unobserved;
-             an optional leaf that was passed over and is no part of the plan is "skipped"
+             a leaf that was passed over and is no part of the plan is "skipped", one that may still be done instead of
+             what stands for its choice an "alternative"
     optional whether it may be left out
+    rival    the number, from 0, of the alternative that the node is the first of; None for all others
 
 Shapes have no node of their own: what stands in them hangs from their task, in an order that they allow. These are
 the paper's conventions: filled, textured and dashed nodes (figure "score").
@@ -28,8 +30,8 @@ from casper.plans.plan import Action, Node, Plan, Shape
 if TYPE_CHECKING:
     import networkx as nx
 
-Status: TypeAlias = Literal["observed", "missed", "unobserved", "skipped"]
-MARKS: dict[str, str] = {"observed": "●", "missed": "✗", "unobserved": "○", "skipped": "–"}
+Status: TypeAlias = Literal["observed", "missed", "unobserved", "skipped", "alternative"]
+MARKS: dict[str, str] = {"observed": "●", "missed": "✗", "unobserved": "○", "skipped": "–", "alternative": "◌"}
 
 
 def statuses(leaves: int, marks: Iterable[int]) -> tuple[Status, ...]:
@@ -49,13 +51,16 @@ def plan_tree(plan: Plan, status: Sequence[Status] | None = None, bindings: Bind
     tree: nx.DiGraph = nx.DiGraph()
     numbers, leaf_numbers = count(), count()
 
-    def add(node: Node, optional: bool) -> list[int]:
+    def add(node: Node, optional: bool, rival: int | None = None) -> list[int]:
         if isinstance(node, Shape):
-            inside = optional or node.kind == "optional"
-            return [number for child in node.children for number in add(child, inside)]
+            is_choice, found = node.kind == "choice", list[int]()
+            for at, child in enumerate(node.children):
+                first = at or rival or 0 if is_choice else None if at else rival
+                found += add(child, optional or is_choice or node.kind == "optional", first)
+            return found
         number = next(numbers)
         text = term_text(as_term(substitute(node.term, bindings or {})))
-        common = {"term": text, "name": node.term.functor, "optional": optional}
+        common = {"term": text, "name": node.term.functor, "optional": optional, "rival": rival}
         if isinstance(node, Action):
             leaf = next(leaf_numbers)
             tree.add_node(number, **common, kind="action", leaf=leaf, status=marked[leaf])
@@ -64,21 +69,28 @@ def plan_tree(plan: Plan, status: Sequence[Status] | None = None, bindings: Bind
         tree.add_node(number, **common, kind=kind, leaf=None, status="unobserved")
         children = [below for child in node.children for below in add(child, optional)]
         tree.add_edges_from((number, child) for child in children)
-        below = {tree.nodes[child]["status"] for child in children}
-        tree.nodes[number]["status"] = below.pop() if len(below) == 1 else "unobserved"
+        tree.nodes[number]["status"] = _shared(tree.nodes[child]["status"] for child in children)
         return [number]
 
     add(plan.root, False)
     return tree
 
 
+def _shared(statuses: Iterable[Status]) -> Status:
+    """What a task is, by what its leaves are; those that are no part of the plan do not count where others are."""
+    below = set(statuses)
+    counted = below - {"skipped", "alternative"} or below
+    return counted.pop() if len(counted) == 1 else "unobserved"
+
+
 def tree_text(tree: nx.DiGraph) -> str:
-    """The tree as indented text: ● observed, ✗ missed, ○ unobserved."""
+    """The tree as indented text: ● observed, ✗ missed, ○ unobserved, – skipped, ◌ alternative; rivals with "or"."""
     import networkx as nx
 
     shown = nx.DiGraph()
     for number, data in tree.nodes(data=True):
         mark = MARKS[data["status"]] if data["kind"] == "action" else ""
-        shown.add_node(number, label=f"{mark} {data['term']}".strip())
+        rival = "or " if data["rival"] else ""
+        shown.add_node(number, label=f"{mark} {rival}{data['term']}".strip())
     shown.add_edges_from(tree.edges)
     return "\n".join(nx.generate_network_text(shown, sources=[0]))

@@ -2,7 +2,8 @@
 
 A plan is spelled out into every row of leaves that it allows. An explanation gives each observation a leaf (or nothing,
 where noise is allowed) such that some row has these leaves in the order of the observations, and every optional part
-of the row has one of them. Of the rows that agree, the one that misses fewest counts.
+and alternative of the row has one of them; but the smallest alternative of a choice needs none. Of the rows that agree,
+the one that misses fewest counts.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from casper.engine.matching import Matcher, Mismatch
 from casper.engine.observation import Observation
 from casper.plans.plan import Action, Node, Plan, Shape
 
-Row = tuple[tuple[int, ...], frozenset[int]]  # leaves in order; the optional parts that are in it
+Row = tuple[tuple[int, ...], frozenset[int]]  # leaves in order; the parts that are in it and must be seen
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class Told:
 
 
 def rows(plan: Plan) -> tuple[list[Row], dict[int, set[int]]]:
-    """Every row of leaves that the plan allows, and the leaves of each optional part."""
+    """Every row of leaves that the plan allows, and the leaves of each part."""
     leaf_numbers, part_numbers = count(), count()
     parts: dict[int, set[int]] = {}
 
@@ -46,6 +47,9 @@ def rows(plan: Plan) -> tuple[list[Row], dict[int, set[int]]]:
         if isinstance(node, Action):
             return [((next(leaf_numbers),), frozenset())]
         number = next(part_numbers) if isinstance(node, Shape) and node.kind == "optional" else None
+        if isinstance(node, Shape) and node.kind == "choice":
+            smallest = min(range(len(node.children)), key=lambda at: size(node.children[at]))
+            return [row for at, child in enumerate(node.children) for row in alternative(child, at == smallest)]
         choices = [spell(child) for child in node.children]
         before = {(a, b) for a in range(len(choices)) for b in range(a + 1, len(choices))}
         if isinstance(node, Shape) and node.kind in ("unordered", "steps"):
@@ -59,7 +63,20 @@ def rows(plan: Plan) -> tuple[list[Row], dict[int, set[int]]]:
         parts[number] = {leaf for leaves, _ in found for leaf in leaves}
         return [*((leaves, inside | {number}) for leaves, inside in found), ((), frozenset())]
 
+    def alternative(child: Node, is_smallest: bool) -> list[Row]:
+        number, found = next(part_numbers), spell(child)
+        parts[number] = {leaf for leaves, _ in found for leaf in leaves}
+        return found if is_smallest else [(leaves, inside | {number}) for leaves, inside in found]
+
     return spell(plan.root), parts
+
+
+def size(node: Node) -> int:
+    """How many leaves are done at least."""
+    if isinstance(node, Action):
+        return 1
+    kind = node.kind if isinstance(node, Shape) else "sequence"
+    return 0 if kind == "optional" else (min if kind == "choice" else sum)(map(size, node.children))
 
 
 def ordered(items: int, pairs: Iterable[tuple[int, int]]) -> nx.DiGraph:

@@ -7,11 +7,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from casper.engine.collaboration import collaborative_plan, longest_run
-from casper.engine.explanation import Explanation
 from casper.engine.matching import NameMatcher
 from casper.engine.policy import best
 from casper.engine.reading import Reading
 from casper.engine.recognisers import Options
+from casper.engine.situation import Situation
 from casper.engine.supervisor import Supervisor
 from casper.plans.library import PlanLibrary
 
@@ -90,6 +90,12 @@ def test_the_robot_does_not_wait_for_what_may_never_come():
     assert part("goal(g). g --> eat, optional(drink), wash.", "eat", can=("wash",)) == ([], ["wash"])
 
 
+def test_of_an_open_choice_the_robot_plans_on_the_smallest_alternative():
+    text = "goal(g). g --> a, (fetch, carry, put ; push), eat."
+    assert part(text, "a", can=("fetch", "carry", "put")) == (["push", "eat"], [])
+    assert part(text, "a", "fetch", can=("carry", "put")) == ([], ["carry", "put"])
+
+
 def test_an_agent_that_can_do_nothing_waits_for_everything():
     assert part("goal(g). g --> a, b, c.", "a") == (["b", "c"], [])
 
@@ -128,10 +134,9 @@ def test_with_several_goals_the_robot_helps_with_the_one_it_can_do_most_of():
     assert told[-1][-1] == ("plan", ["d"], ["tidy", "sweep"])
 
 
-def test_a_plan_for_an_explanation_names_the_leaves_behind_it():
-    library = PlanLibrary.from_text("goal(g). g --> a, b, wash.")
-    explanation = Explanation(library.ways[0], (0,), (), 1.0, 1.0)
-    plan = collaborative_plan("robot", explanation, lambda e, leaf, _: (e.leaves[leaf], leaf == 2))
-    assert (plan.awaited, plan.leaves) == ((1,), (2,))
-    later = plan.after(Explanation(library.ways[0], (0, 1), (), 1.0, 1.0))
+def test_a_collaborative_plan_names_the_leaves_behind_it():
+    (plan,) = PlanLibrary.from_text("goal(g). g --> a, b, wash.").ways
+    part = collaborative_plan("robot", Situation(plan, 0b1, ()), lambda e, leaf, _: (e.leaves[leaf], leaf == 2))
+    assert (part.awaited, part.leaves) == ((1,), (2,))
+    later = part.after(Situation(plan, 0b11, ()))
     assert (later.awaited, later.leaves) == ((), (2,))

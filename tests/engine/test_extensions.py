@@ -27,7 +27,7 @@ PRICES = st.sampled_from([0.1, 0.5, 1.0])
 @st.composite
 def nodes(draw: st.DrawFn, room: int, depth: int = 2) -> Node:
     """A node with at most ``room`` leaves, any shape allowed."""
-    kind = draw(st.sampled_from(["action", "sequence", "optional", "unordered", "steps"])) if depth and room > 1 else "action"
+    kind = draw(st.sampled_from(["action", "sequence", "optional", "choice", "unordered", "steps"])) if depth and room > 1 else "action"
     if kind == "action":
         return Action(Compound((draw(st.sampled_from("abc")), draw(st.sampled_from(THINGS)))))
     count = draw(st.integers(1, min(3, room)))
@@ -107,6 +107,7 @@ def agree(counting: Counting, specified: list[Told], noise=None, priors=None, op
         assert standing.best_goal in {counting.plans[t.plan].label for t in best}
         if options is None:
             assert standing.rivals == sum(counting.plans[t.plan].label != standing.best_goal for t in best)
+            assert standing.ties == len(best)
 
 
 def distinct(library):
@@ -205,7 +206,7 @@ def test_a_recursive_task_is_unrolled_as_deep_as_is_stated(depth, seen):
     if depth == 0:
         return
     library = PlanLibrary.from_text(text)
-    assert sorted(len(plan.leaves) for plan in library.ways) == list(range(2, depth + 3))
+    assert sorted(len(plan.leaves) for plan in library.plans) == list(range(2, depth + 3))
     agree(
         counted(library.ways, seen, NameMatcher),
         explanations(library.ways, certain(seen), NameMatcher(library.ways), False),

@@ -1,0 +1,49 @@
+"""Situations: where a plan stands. What is yet to be done of it depends on that, not on how it came about."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from casper.engine.matching import Binding, bindings_of
+from casper.kb.terms import Compound, substitute
+from casper.plans.plan import Plan
+
+
+@dataclass(frozen=True)
+class Situation:
+    """A plan, the mask of its closed leaves (bit j = leaf j), and what is known of its parameters."""
+
+    plan: Plan
+    closed: int
+    binding: Binding
+
+    @property
+    def goal(self) -> str:
+        """The goal's label."""
+        return self.plan.label
+
+    @cached_property
+    def leaves(self) -> tuple[Compound, ...]:
+        """The plan's actions with what is known of their parameters."""
+        known = bindings_of(self.plan, self.binding) if self.binding else {}
+        return tuple(substitute(leaf, known) for leaf in self.plan.leaves)
+
+    @cached_property
+    def open_leaves(self) -> tuple[int, ...]:
+        """The numbers of the leaves that are yet to be done, in an order that the plan allows.
+
+        Of a choice that is open they are those of its smallest alternative.
+        """
+        return tuple(self.plan.chart.coming_leaves(self.closed))
+
+    @property
+    def belonging(self) -> int:
+        """Mask of the open leaves that belong to the plan by now: not those of an optional part nobody began."""
+        chart = self.plan.chart
+        return chart.belonging(chart.entered(self.closed)) & ~self.closed
+
+    @property
+    def frontier(self) -> tuple[Compound, ...]:
+        """The ordered unobserved leaves: what is yet to be done (paper section III-G)."""
+        return tuple(self.leaves[leaf] for leaf in self.open_leaves)
