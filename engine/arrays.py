@@ -13,9 +13,10 @@ from __future__ import annotations
 from collections import OrderedDict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from threading import Lock
 from typing import Any, TypeAlias
 
-from casper.engine.matching import Matcher
+from casper.engine.matching import Binding, Matcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
 from casper.engine.replay import Replay
@@ -70,6 +71,7 @@ class Arrays(Replay):
         self._names = _by_name(np, plans, lengths)
         self._room = KEPT * int(lengths.sum())
         self._kept: OrderedDict[tuple[Any, ...], tuple[Array, ...]] = OrderedDict()
+        self._lock = Lock()
         self._index = {label: at for at, label in enumerate(dict.fromkeys(self.labels))}
         self._goal = np.array([self._index[label] for label in self.labels])
         self._own_goal = len(self._index) == len(plans)
@@ -127,9 +129,10 @@ class Arrays(Replay):
         return found[0]
 
     def _keep(self, key: tuple[Any, ...], arrays: tuple[Array, ...]) -> tuple[Array, ...]:
-        self._kept[key] = arrays
-        while sum(len(a) for kept in self._kept.values() for a in kept) > self._room and len(self._kept) > 1:
-            self._kept.popitem(last=False)
+        with self._lock:  # forks share what is kept, and may be used by several threads
+            self._kept[key] = arrays
+            while sum(len(a) for kept in self._kept.values() for a in kept) > self._room and len(self._kept) > 1:
+                self._kept.popitem(last=False)
         return arrays
 
     # --- what the counts say ---------------------------------------------------------------------------------------
@@ -223,6 +226,18 @@ class Arrays(Replay):
         plans, first = self.np.unique(here.plan[at], return_index=True)  # the leftmost leaf scores most
         right = here.right[at[first]]
         return list(zip(weights[first].tolist(), plans.tolist(), right.tolist(), counts[first].tolist()))
+
+    def ends(self) -> Iterator[tuple[tuple[tuple[int, int, Binding], ...], float]]:
+        """Where explanations end: (plan, mask of closed leaves, binding), and the share of all scores."""
+        action, _ = self._levels[-1]
+        if action is None:
+            return
+        (at, counts, scores), here, whole = self._living(), self._names[action], self.total()
+        plans = here.plan.take(at)
+        shares = counts * scores * self._prior[plans] / (whole or 1.0)
+        closed = here.at.take(at) - here.begin.take(at) + 1
+        for plan, leaves, share in zip(plans.tolist(), closed.tolist(), shares.tolist()):
+            yield ((plan, (1 << leaves) - 1, self._binding(plan)),), share
 
     def standing(self) -> Standing | None:
         """The best explanation and its rivals."""

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
 from math import comb
+from threading import Lock
 from typing import Any
 
 from casper.engine.arrays import Array
@@ -73,16 +74,18 @@ class Table:
         self.layout, self._np = layout, layout.np
         self._cells = self._np.zeros((4, len(layout.codes)), self._np.uint16)  # shape (marked, leaves)
         self._counts: Mapping[str, Array] = {}
+        self._lock = Lock()  # forks may be used by several threads
 
     def following(self, counts: Mapping[str, Array], here: Leaves, observations: int) -> Array:
         """d of a name after these counts, without rows that are all zero. Shape (marked, leaves of the name)."""
         rows = max(map(len, counts.values()), default=0)
-        self._hold(rows, observations)
-        self._bring(counts)
-        found = self._np.empty((rows + 1, len(here.at)), self._cells.dtype)
-        found[0] = 1
-        if rows:
-            self._sum(here, found[1:])
+        with self._lock:
+            self._hold(rows, observations)
+            self._bring(counts)
+            found = self._np.empty((rows + 1, len(here.at)), self._cells.dtype)
+            found[0] = 1
+            if rows:
+                self._sum(here, found[1:])
         while len(found) and not found[-1].any():
             found = found[:-1]
         return found

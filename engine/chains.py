@@ -11,11 +11,11 @@ the counts kept as running sums, an update is one look-up for each b-leaf, and t
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeAlias
 
 from casper.engine.counting import positions_of
-from casper.engine.matching import Matcher
+from casper.engine.matching import Binding, Matcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
 from casper.engine.replay import Replay
@@ -28,8 +28,9 @@ it, and how many leaves of any name right."""
 Standings: TypeAlias = list[tuple[int, float, int, int, int]]
 """For each plan that explains the observations: plan, sum of scores, count, leaves right of the best explanation's
 last marked leaf, how many explanations are as good."""
-Level: TypeAlias = tuple[str | None, dict[int, list[int]], Standings]
-"""The last name, each plan's counts as running sums over its leaves of that name, and what follows from them."""
+Level: TypeAlias = tuple[str | None, dict[int, list[int]], Standings, float]
+"""The last name, each plan's counts as running sums over its leaves of that name, what follows from them, and the sum
+of all scores, weighed by priors."""
 
 
 class Chains(Replay):
@@ -43,7 +44,7 @@ class Chains(Replay):
         self._is_simple = self.evenly and len(set(self.labels)) == len(plans)
         self._nothing = dict.fromkeys(self.labels, 0.0)
         begin: Standings = [(plan, 0.0, 1, len(plans[plan].leaves), 1) for plan in range(len(plans))]
-        self._levels: list[Level] = [(None, {plan: [0, 1] for plan in range(len(plans))}, begin)]
+        self._levels: list[Level] = [(None, {plan: [0, 1] for plan in range(len(plans))}, begin, 0.0)]
         self._first: dict[str, Level] = {}  # by action: the level after it alone
 
     def observe(self, seen: Seen) -> None:
@@ -59,11 +60,11 @@ class Chains(Replay):
             self._levels.append(self._advanced(action))
 
     def _advanced(self, action: str) -> Level:
-        last, before, _ = self._levels[-1]
+        last, before, _, _ = self._levels[-1]
         rows = self._tables.get((last, action))
         if rows is None:
             rows = self._table(last, action)
-        k = len(self.observations)
+        k, whole, priors = len(self.observations), 0.0, self.priors
         running: dict[int, list[int]] = {}
         standings: Standings = []
         for plan, square, moves in rows:
@@ -81,8 +82,10 @@ class Chains(Replay):
                     sums.append(count)
                 if count:
                     running[plan] = sums
-                    standings.append((plan, k * (total + k * count) / square, count, left, ties))
-        return action, running, standings
+                    scores = k * (total + k * count) / square
+                    standings.append((plan, scores, count, left, ties))
+                    whole += priors[plan] * scores
+        return action, running, standings, whole
 
     def _table(self, last: str | None, action: str) -> list[Row]:
         rows: list[Row] = []
@@ -128,14 +131,16 @@ class Chains(Replay):
         """Each goal's share of the sum of all scores, weighed by its prior."""
         if not self._is_simple:
             return super().posterior()
-        shares, whole, labels = self._nothing.copy(), 0.0, self.labels
-        standings = self._levels[-1][2]
-        for standing in standings:
-            whole += standing[1]
+        shares, labels = self._nothing.copy(), self.labels
+        _, _, standings, whole = self._levels[-1]
         if whole:
             for plan, total, _, _, _ in standings:
                 shares[labels[plan]] = total / whole
         return shares
+
+    def total(self) -> float:
+        """The sum of all scores, weighed by priors."""
+        return self._levels[-1][3]
 
     def best(self) -> tuple[float, int, int, int] | None:
         """The best explanation: weight, plan, leaves right of its last marked one; how many of the plan are as good."""
@@ -155,6 +160,20 @@ class Chains(Replay):
             (priors[plan] * (k * (left + k) / squares[plan]), plan, left, ties)
             for plan, _, _, left, ties in self._levels[-1][2]
         ]
+
+    def ends(self) -> Iterator[tuple[tuple[tuple[int, int, Binding], ...], float]]:
+        """Where explanations end: (plan, mask of closed leaves, binding), and the share of all scores."""
+        action, running, _, whole = self._levels[-1]
+        k = len(self.observations)
+        if action is None:
+            return
+        for plan, sums in running.items():
+            leaves, binding = len(self.plans[plan].leaves), self._binding(plan)
+            for at, leaf in enumerate(self._positions[plan][action]):
+                count = sums[at + 1] - sums[at]
+                if count:
+                    score = k * (leaves - leaf - 1 + k) / self._squares[plan]
+                    yield ((plan, (2 << leaf) - 1, binding),), self.priors[plan] * count * score / whole
 
     def standing(self) -> Standing | None:
         """The best explanation and its rivals."""

@@ -247,18 +247,30 @@ class Counting:
         rivals = sum(group.ties for group in equal if self._labels[group.plan] != label)
         return Standing(self.count, label, top.missed, rivals, sum(group.ties for group in equal))
 
+    def first(self) -> Explanation | None:
+        """The best explanation; None when there is none."""
+        groups = self.groups()
+        return self._told(next(self._paths(groups[0].plan)), self._whole()) if groups else None
+
     def explanations(self) -> Iterator[Explanation]:
         """Every explanation, best first, lazily, with its share of all scores."""
-        whole = sum(prior * total for prior, total in zip(self.priors, self.score_sums()))
+        whole = self._whole()
         for found in self.stream():
-            leaves = tuple(leaf for leaf in found.marks if leaf != NEEDLESS)
-            needless = tuple(at for at, leaf in enumerate(found.marks) if leaf == NEEDLESS)
-            share = found.weight / whole if whole else 0.0
-            yield Explanation(self.plans[found.plan], leaves, found.binding, found.score, share, needless)
+            yield self._told(found, whole)
+
+    def _told(self, found: Found, whole: float) -> Explanation:
+        leaves = tuple(leaf for leaf in found.marks if leaf != NEEDLESS)
+        needless = tuple(at for at, leaf in enumerate(found.marks) if leaf == NEEDLESS)
+        share = found.weight / whole if whole else 0.0
+        return Explanation(self.plans[found.plan], leaves, found.binding, found.score, share, needless)
+
+    def _whole(self) -> float:
+        """The sum of all scores, weighed by priors."""
+        return sum(self.priors[plan] * self._score_sum(plan) for plan in self.levels[-1])
 
     def ends(self) -> Iterator[tuple[tuple[tuple[int, int, Binding], ...], float]]:
         """Where explanations end: (plan, mask of closed leaves, binding), and the share of all scores."""
-        whole = sum(prior * total for prior, total in zip(self.priors, self.score_sums()))
+        whole = self._whole()
         for group in self.groups():
             weights = self._weights[-1]
             mass = group.weight * group.count

@@ -9,23 +9,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
+from typing import Any
 
-from casper.engine.matching import (
-    Matcher,
-    Mismatch,
-    NameMatcher,
-    ParameterMatcher,
-    VerifyingMatcher,
-    bindings_of,
-    settle,
-)
+from casper.engine.matching import Matcher, Mismatch, NameMatcher, ParameterMatcher, bindings_of
 from casper.engine.policy import policy_named
 from casper.engine.priors import priors_of
 from casper.engine.reading import Reading
 from casper.engine.recognisers import Options
 from casper.engine.scoring import score_named
 from casper.engine.situation import Situation
+from casper.engine.verified_matching import VerifyingMatcher, settle
 from casper.kb.base import KnowledgeBase
 from casper.kb.clauses import Clause, Production, Sentence
 from casper.kb.errors import DomainError, PlanError
@@ -37,6 +32,7 @@ from casper.plans.relations import RELATIONS, plan_clauses
 
 ONTOLOGY = "ontology.pl"
 FILES = (ONTOLOGY, "plans.pl", "actions.pl", "movements.pl", "scene.pl")
+MOST_KEPT = 8  # readings to make others of
 SHIPPED = Path(__file__).resolve().parent.parent / "domains"
 
 
@@ -96,7 +92,9 @@ class Domain:
         score: str = "paper",
         budget: int = 3000,
     ) -> Reading:
-        """A fresh reading of the partner; with ``noise`` and ``goals`` left alone it is the paper's.
+        """A fresh reading of a partner; with ``noise`` and ``goals`` left alone it is the paper's.
+
+        Readings of several partners share the library's tables and what the knowledge base said.
 
         Args:
             policy: ``strict`` or ``best`` (`engine.policy`).
@@ -112,10 +110,21 @@ class Domain:
         """
         if not self.library.ways:
             raise PlanError(f"the domain {self.name} has no plans to explain anything with; add them in plans.pl")
-        priors = priors_of(self.kb.rows("prior", 2), self.library.goals)
-        options = Options(noise, goals, priors, score_named(score), budget)
-        matcher = self._matcher(verification)
-        return Reading(self.library, matcher, policy_named(policy), self.capability, options)
+        key = (policy, verification, noise, goals, score, budget, self.kb.changes)
+        if key not in self._unread:
+            priors = priors_of(self.kb.rows("prior", 2), self.library.goals)
+            options = Options(noise, goals, priors, score_named(score), budget)
+            matcher = self._matcher(verification)
+            fresh = Reading(self.library, matcher, policy_named(policy), self.capability, options)
+            if len(self._unread) >= MOST_KEPT or any(key[-1] != self.kb.changes for key in self._unread):
+                self._unread.clear()
+            self._unread[key] = fresh
+        return self._unread[key].fork()
+
+    @cached_property
+    def _unread(self) -> dict[tuple[Any, ...], Reading]:
+        """Readings in which nothing was observed, by their options and the state of the knowledge base."""
+        return {}
 
     def _matcher(self, verification: bool) -> Matcher:
         if not verification:

@@ -284,6 +284,10 @@ class Interleaving:
         for (parts, _), mass in masses:
             yield tuple((plan, state[0], state[5]) for plan, state in parts), mass / whole if whole else 0.0
 
+    def first(self) -> Interleaved | None:
+        """The best explanation; None when there is none."""
+        return next(self.explanations(), None)
+
     def explanations(self) -> Iterator[Interleaved]:
         """Every explanation, best first, lazily."""
         whole = sum(mass for _, mass in self._masses())

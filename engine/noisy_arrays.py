@@ -64,7 +64,7 @@ class NoisyArrays(Replay):
     """Counts for many chains, by names, where observations may be needless. Interface: `casper.engine.replay.Replay`.
 
     An observation keeps the counts of its own name, so `undo` is exact and `fork` copies a list. The table in which
-    sums are made is one for all forks (as many rows as were ever marked, a number a leaf): one thread at a time.
+    sums are made is one for all forks (as many rows as were ever marked, a number a leaf).
 
     Args:
         plans: the plans, all of them chains.
@@ -274,6 +274,10 @@ class NoisyArrays(Replay):
         for seen in self.observations:
             counting.observe(seen)
         return counting
+
+    def first(self) -> Explanation | None:
+        """The best explanation; None when there is none."""
+        return next(self.explanations(), None)
 
     def explanations(self) -> Iterator[Explanation]:
         """Every explanation, best first, lazily: by weight, then plan, then marked leaves."""

@@ -242,6 +242,10 @@ class Pairs:
         plan = int(self.plan[state])
         return plan, (1 << state - int(self.begin[plan])) - 1, self.single._binding(plan)
 
+    def first(self) -> Interleaved | None:
+        """The best explanation; None when there is none."""
+        return next(self.explanations(), None)
+
     def explanations(self) -> Iterator[Interleaved]:
         """Every explanation, best first, lazily."""
         whole, order = self.total(), count()

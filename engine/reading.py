@@ -16,9 +16,10 @@ from casper.engine.collaboration import Capability, CollaborativePlan, collabora
 from casper.engine.explanation import Explanation, Interleaved
 from casper.engine.matching import Matcher
 from casper.engine.observation import Observed, Seen, Uncertain, options_of, seen_of
-from casper.engine.outlook import Outlook, Question
+from casper.engine.outlook import Outlook
 from casper.engine.pairs import Pairs
 from casper.engine.policy import Policy, strict
+from casper.engine.questions import Question, questions
 from casper.engine.recognisers import PAPER, Options, Recogniser, recogniser
 from casper.engine.replay import Replay
 from casper.kb.errors import CasperError
@@ -124,7 +125,7 @@ class Reading:
     @property
     def confidence(self) -> float:
         """The best explanation's share of the sum of all scores (not its goal's posterior)."""
-        best = next(self.explanations(), None)
+        best = self.first
         return best.share if best is not None else 0.0
 
     @property
@@ -139,6 +140,11 @@ class Reading:
         standing = self._engine.standing() if self.observations else None
         return None if standing is None else self.policy(standing)
 
+    @property
+    def first(self) -> Explanation | Interleaved | None:
+        """The best explanation; None when there is none."""
+        return self._engine.first() if self._engine.observations else None
+
     def explanations(self) -> Iterator[Explanation | Interleaved]:
         """Every explanation, best first, lazily."""
         return self._engine.explanations() if self.observations else iter(())
@@ -150,12 +156,15 @@ class Reading:
 
     def best(self, count: int = 1) -> list[Explanation | Interleaved]:
         """The best few explanations."""
+        if count == 1:
+            best = self.first
+            return [] if best is None else [best]
         return list(islice(self.explanations(), count))
 
     @property
     def frontier(self) -> tuple[Compound, ...]:
         """What the best explanation leaves to be done."""
-        best = next(self.explanations(), None)
+        best = self.first
         return best.frontier if best is not None else ()
 
     @property
@@ -170,7 +179,7 @@ class Reading:
 
         Of several goals pursued at once it helps with the one of which it can do most.
         """
-        chosen = explanation or next(self.explanations(), None)
+        chosen = explanation or self.first
         if chosen is None:
             return None
         plans = [collaborative_plan(agent, part.situation, self._capability) for part in chosen.parts]
@@ -194,7 +203,7 @@ class Reading:
 
     def questions(self) -> list[Question]:
         """What to find out, most telling first: is it this goal, is this step still to come, is this the next one?"""
-        return self._outlook.questions() if self.observations else []
+        return questions(self._outlook) if self.observations else []
 
     @property
     def _outlook(self) -> Outlook:

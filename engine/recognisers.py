@@ -57,6 +57,9 @@ class Recogniser(Protocol):
     def standing(self) -> Standing | None:
         """The best explanation and its rivals."""
 
+    def first(self) -> Explanation | Interleaved | None:
+        """The best explanation; None when there is none."""
+
     def explanations(self) -> Iterator[Explanation | Interleaved]:
         """Every explanation, best first, lazily."""
 

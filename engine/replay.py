@@ -46,9 +46,9 @@ class Replay(ABC):
             counting.observe(seen)
         return counting
 
+    @abstractmethod
     def ends(self) -> Iterator[tuple[tuple[tuple[int, int, Binding], ...], float]]:
         """Where explanations end: (plan, mask of closed leaves, binding), and the share of all scores."""
-        return self.counting().ends()
 
     def undo(self) -> None:
         """Take back the last observation."""
@@ -97,6 +97,11 @@ class Replay(ABC):
     @abstractmethod
     def best(self) -> tuple[float, int, int, int] | None:
         """The best explanation: weight, plan, leaves right of its last marked one, ties."""
+
+    def first(self) -> Explanation | None:
+        """The best explanation; None when there is none."""
+        best = self.best()
+        return None if best is None else self._leftmost(best[1], self.total())
 
     def explanations(self) -> Iterator[Explanation]:
         """Every explanation, best first, lazily: by weight, then plan, then marked leaves."""

@@ -35,6 +35,7 @@ class ClauseStore:
         self._cached: Model | None = None
         self._true: set[Statement] = set()  # stored statements that hold, once they are indexed
         self._index_in: int | None = 0  # questions until they are
+        self.changes = 0  # how often something was added or taken back: what was asked before may be different now
 
     # --- authoring -------------------------------------------------------------------------------------------------
 
@@ -145,6 +146,7 @@ class ClauseStore:
             self._clauses[clause] = None
         elif self._clauses.pop(clause, _MISSING) is _MISSING and bulk.pop(atom.args, _MISSING) is _MISSING:
             return False
+        self.changes += 1
         if kept:
             self._true = set()
             self._index_in = MOST_INDEXED  # by then the questions have cost as much as indexing anew
@@ -183,6 +185,11 @@ class ClauseStore:
         """Whether a predicate has clauses here or is declared dynamic."""
         return (name, arity) in self._model.program.clauses
 
+    @property
+    def depends_on_history(self) -> bool:
+        """Whether a rule or constraint looks at did/2: otherwise what happened earlier changes no verdict."""
+        return self._model.program.looks_back
+
     def check_known(self, indicator: Indicator) -> None:
         """Refuse a predicate nobody defines.
 
@@ -207,6 +214,7 @@ class ClauseStore:
 
     def _forget(self) -> None:
         """Everything has to be worked out anew."""
+        self.changes += 1
         self._cached, self._true, self._index_in = None, set(), 0
 
     @property

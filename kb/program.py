@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
+from functools import cached_property
+from itertools import chain
 from typing import TypeAlias
 
 from casper.kb.clauses import COMPARISONS, NOWHERE, Clause, Literal
@@ -18,7 +20,8 @@ from casper.kb.terms import Compound, Variable, is_ground, variables_of
 
 Indicator: TypeAlias = tuple[str, int]
 Given: TypeAlias = dict[Row, Clause | None]
-SITUATION: tuple[Indicator, ...] = (("claim", 1), ("did", 2))
+DID: Indicator = ("did", 2)
+SITUATION: tuple[Indicator, ...] = (("claim", 1), DID)
 COMPUTED: tuple[Indicator, ...] = (("valid", 1), ("never", 1))
 SYSTEM: tuple[Indicator, ...] = (*SITUATION, *COMPUTED)
 
@@ -39,6 +42,12 @@ class Program:
     strata: tuple[frozenset[Indicator], ...]  # of the stored predicates, lowest first
     situational: frozenset[Indicator]
     top_down: frozenset[Indicator]
+
+    @cached_property
+    def looks_back(self) -> bool:
+        """Whether a rule or constraint asks what happened earlier."""
+        written = chain(self.constraints, *self.rules.values())
+        return any(literal.atom.indicator == DID for clause in written for literal in clause.body)
 
 
 def analyse(

@@ -104,11 +104,15 @@ class Chart:
 
     def next_leaves(self, closed: int) -> list[int]:
         """The leaves that may be done next without missing any."""
+        if self.is_chain:
+            return [closed.bit_length()] if closed.bit_length() < self.leaves else []
         progress = (closed, self.entered(closed), 0, 0)
         return [j for j in range(self.leaves) if not closed >> j & 1 and not self.close(progress, j)[3]]
 
     def coming_leaves(self, closed: int) -> list[int]:
         """The leaves yet to be done, optional ones too; of a choice that is open those of its smallest alternative."""
+        if not self.parts:
+            return [j for j in range(self.leaves) if not closed >> j & 1]
         aside = self.spares & ~self.entered(closed)
         return [j for j in range(self.leaves) if not (closed >> j & 1 or self.inside[j] & aside)]
 

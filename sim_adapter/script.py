@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from casper.engine.domain import Domain
-from casper.engine.matching import Mismatch, bindings_of, settle
+from casper.engine.matching import Mismatch, bindings_of
+from casper.engine.verified_matching import settle
 from casper.kb.errors import DomainError, PlanError
 from casper.kb.terms import Compound, is_ground, substitute
 from casper.kb.writer import term_text

@@ -55,6 +55,8 @@ def test_a_fast_engine_gives_the_answers_of_the_counting_engine(engine, library,
         assert dict(fast.posterior()) == pytest.approx(slow.posterior(), rel=1e-12)
         assert fast.standing() == slow.standing()
         assert fast.alive(len(fast.observations)) == slow.alive(slow.explained)
+        assert dict(fast.ends()) == pytest.approx(dict(slow.ends()), rel=1e-12)
+    assert fast.first() == next(fast.explanations(), None)
     assert told(fast.explanations()) == told(slow.explanations())
     best = fast.best()
     assert (best is None) == (slow.standing() is None)

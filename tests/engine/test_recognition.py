@@ -13,8 +13,9 @@ from casper.engine.chains import Chains
 from casper.engine.counting import Counting
 from casper.engine.interleaving import Interleaving
 from casper.engine.matching import NameMatcher, ParameterMatcher
-from casper.engine.outlook import entropy
+from casper.engine.noisy_arrays import NoisyArrays
 from casper.engine.pairs import Pairs
+from casper.engine.questions import entropy
 from casper.engine.reading import Reading
 from casper.engine.recognisers import Options
 from casper.kb.errors import CasperError
@@ -142,6 +143,50 @@ def test_several_partners_share_a_library_and_not_a_reading():
     assert bob.posterior["breakfast"] > 0
 
 
+def test_readings_of_one_domain_share_what_the_knowledge_base_said(monkeypatch):
+    kitchen = Domain.load("kitchen")
+    asked = []
+    verify = kitchen.kb.verify
+    monkeypatch.setattr(kitchen.kb, "verify", lambda *question: asked.append(question) or verify(*question))
+    kitchen.reading().observe("pick_and_place(meal, hobs)")
+    first = len(asked)
+    kitchen.reading().observe("pick_and_place(meal, hobs)")
+    assert first == len(asked) > 0
+
+
+def test_a_change_of_the_knowledge_base_is_seen_by_readings_under_way_and_by_new_ones():
+    kitchen = Domain.load("kitchen")
+    before = kitchen.reading()
+    before.observe("pick_and_place(biscuits, plate)")
+    kitchen.reading().observe("eat(biscuits, plate)")
+    kitchen.kb.retract("eatable(biscuits)")
+    before.observe("eat(biscuits, plate)")
+    after = kitchen.reading()
+    after.observe("eat(biscuits, plate)")
+    assert (before.count, after.count) == (0, 0)
+    assert any("eatable" in reason for reason in after.rejected["breakfast"])
+
+
+def test_where_verdicts_depend_on_the_past_each_reading_asks_for_its_own(tmp_path):
+    (tmp_path / "ontology.pl").write_text(
+        'human(ann).\nwarm(A) :- human(A).\neat(A) :- human(A).\nnever("first warm it") :- claim(eat(_)), \\+ did(warm(_), _).\n'
+    )
+    (tmp_path / "plans.pl").write_text("cold --> eat.\nhot --> warm, eat.\n")
+    shared = Domain.load(tmp_path)
+    hot, cold = shared.reading(), shared.reading()
+    hot.observe("warm")
+    hot.observe("eat")
+    cold.observe("eat")
+    assert (hot.count, cold.count) == (1, 0)
+
+
+@pytest.mark.parametrize("seen", ["pick_and_place pick_and_place wash", "pick_and_place", "wash", "sip"])
+def test_the_ties_of_the_best_explanation_are_counted(seen):
+    found = reading(*seen.split(), verification=False)
+    scores = [explanation.score for explanation in found.explanations()]
+    assert found.ties == scores.count(max(scores))
+
+
 def test_scores_are_chosen_by_name():
     seen = [reading("wash", score=name, verification=False).posterior for name in ("paper", "uniform", "coverage", "diligence")]
     assert seen[1] == pytest.approx({"breakfast": 1 / 3, "drink": 1 / 3, "lunch": 1 / 3})
@@ -191,6 +236,7 @@ def test_a_question_never_gains_more_than_there_is_to_know():
         (200, {}, Chains),
         (1000, {}, Arrays),
         (3, {"noise": 0.1}, Counting),
+        (200, {"noise": 0.1}, NoisyArrays),
         (3, {"goals": 2}, Interleaving),
         (20, {"goals": 2}, Pairs),
         (20, {"goals": 3}, Interleaving),
