@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeAlias
 
-from casper.engine.counting import positions_of
+from casper.engine.levels import positions_of
 from casper.engine.matching import Binding, Matcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing

@@ -25,13 +25,12 @@ from heapq import heapify, heappop, heappush
 from itertools import count, takewhile
 
 from casper.engine.explanation import Explanation
-from casper.engine.matching import Binding, Matcher, Mismatch
-from casper.engine.observation import Observation, Seen, options_of
+from casper.engine.levels import Levels
+from casper.engine.matching import Binding
 from casper.engine.paths import best_first
 from casper.engine.policy import Standing
-from casper.engine.scoring import Score, least_tie, paper
-from casper.engine.states import NEEDLESS, Edges, Level, State, Weight, advance, start, successors, weigh
-from casper.plans.plan import Plan
+from casper.engine.scoring import least_tie
+from casper.engine.states import NEEDLESS, Level, State, successors
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,113 +65,10 @@ class Found:
     weight: float
 
 
-class Counting:
-    """Counts for some plans, observation by observation; ``undo`` takes the last one back.
+class Counting(Levels):
+    """What the counts say. Interface: `casper.engine.recognisers.Recogniser`; arguments: `engine.levels.Levels`."""
 
-    Args:
-        plans: the plans; their shapes may be anything.
-        matcher: what can be taken for what.
-        noise: the factor on a score for each observation that is needless or misread; None allows none.
-        priors: per plan the prior of its goal.
-        measure: the score.
-    """
-
-    def __init__(
-        self,
-        plans: Sequence[Plan],
-        matcher: Matcher,
-        noise: float | None = None,
-        priors: Sequence[float] | None = None,
-        measure: Score = paper,
-    ) -> None:
-        self.plans, self.matcher, self.noise, self.measure = plans, matcher, noise, measure
-        self.priors = priors or (1.0,) * len(plans)
-        self.charts = [plan.chart for plan in plans]
-        self._positions = [positions_of(plan) for plan in plans]
-        self.observations: list[Seen] = []
-        self.mismatches: list[dict[int, dict[str, None]]] = [{}]  # after each observation, by plan: why it was cut
-        self.levels: list[dict[int, Level]] = [{}]
-        self._edges: list[dict[int, Edges]] = []
-        self._weights: list[dict[int, dict[State, Weight]] | None] = [None]
-        self._groups: list[Group] | None = None
-        self._labels = [plan.label for plan in plans]
-        for plan, chart in enumerate(self.charts):
-            binding = matcher.initial(plan)
-            if isinstance(binding, Mismatch):
-                self._note(plan, binding)
-            else:
-                self.levels[0][plan] = {start(chart, binding): 1}
-
-    # --- observing -------------------------------------------------------------------------------------------------
-
-    def observe(self, seen: Seen) -> None:
-        """Advance every plan by one observation."""
-        options, noisy = options_of(seen), self.noise is not None
-        level: dict[int, Level] = {}
-        edges: dict[int, Edges] = {}
-        self.mismatches.append({})
-        for plan, before in self.levels[-1].items():
-            matched = self._matched(plan, before, options)
-            advanced = advance(self.charts[plan], before, matched, noisy) if matched or noisy else None
-            if advanced:
-                edges[plan], level[plan] = matched, advanced
-        self._weights.append(self._weighed(edges, is_certain(seen)))
-        self.levels.append(level)
-        self._edges.append(edges)
-        self.observations.append(seen)
-        self.matcher.observed(options[0][0] if is_certain(seen) else Observation(seen.action))
-        self._groups = None
-
-    def undo(self) -> None:
-        """Take back the last observation."""
-        self.levels.pop()
-        self._edges.pop()
-        self._weights.pop()
-        self.mismatches.pop()
-        self.observations.pop()
-        self.matcher.forget()
-        self._groups = None
-
-    def fork(self) -> Counting:
-        """A copy that goes its own way; what was counted so far is shared."""
-        other = object.__new__(Counting)
-        other.__dict__.update(self.__dict__)
-        other.matcher = self.matcher.fork()
-        other.levels, other.observations = list(self.levels), list(self.observations)
-        other._edges, other._weights = list(self._edges), list(self._weights)
-        other.mismatches = list(self.mismatches)
-        return other
-
-    def _matched(self, plan: int, level: Level, options: Iterable[tuple[Observation, float]]) -> Edges:
-        """What the observation can be, by what was known before."""
-        positions, edges, opened = self._positions[plan], Edges(), dict[Binding, int]()
-        for state in sorted(level, key=lambda state: state[0]):
-            opened[state[5]] = opened.get(state[5], 0) | ~state[0]
-        for observation, likelihood in options:
-            for leaf in positions.get(observation.action, ()):
-                for binding, mask in opened.items():
-                    if mask >> leaf & 1:
-                        after = self.matcher.match(plan, leaf, observation, binding)
-                        if isinstance(after, Mismatch):
-                            self._note(plan, after)
-                        else:
-                            edges.setdefault(binding, []).append((leaf, after, likelihood))
-        return edges
-
-    def _weighed(self, edges: dict[int, Edges], certain: bool) -> dict[int, dict[State, Weight]] | None:
-        before, noisy = self._weights[-1], self.noise is not None
-        if before is None and certain:
-            return None
-        weighed = {}
-        for plan, found in edges.items():
-            weights = before[plan] if before is not None else None
-            weighed[plan] = weigh(self.charts[plan], self.levels[-1][plan], weights, found, noisy)
-        return weighed
-
-    def _note(self, plan: int, mismatch: Mismatch) -> None:
-        self.mismatches[-1].setdefault(plan, {}).update(dict.fromkeys(mismatch.reasons))
-
-    # --- what the counts say ---------------------------------------------------------------------------------------
+    _grouped: tuple[dict[int, Level], list[Group]] | None = None  # the groups of a level
 
     @property
     def explained(self) -> int:
@@ -185,10 +81,11 @@ class Counting:
 
     def groups(self) -> list[Group]:
         """The groups of explanations, heaviest first; equal ones in the order of the library."""
-        if self._groups is None:
-            found = [group for plan in self.levels[-1] for group in self._groups_of(plan)]
-            self._groups = sorted(found, key=lambda g: (-g.weight, g.plan, g.state[0]))
-        return self._groups
+        level = self.levels[-1]
+        if self._grouped is None or self._grouped[0] is not level:
+            found = [group for plan in level for group in self._groups_of(plan)]
+            self._grouped = level, sorted(found, key=lambda g: (-g.weight, g.plan, g.state[0]))
+        return self._grouped[1]
 
     def _groups_of(self, plan: int) -> Iterator[Group]:
         weights, price = self._weights[-1], self.noise or 1.0
@@ -203,11 +100,6 @@ class Counting:
                 _, largest, ties = weights[plan][state]
                 score *= largest
             yield Group(plan, state, number, score, self.priors[plan] * score, ties)
-
-    @property
-    def is_exact(self) -> bool:
-        """Every explanation is counted."""
-        return True
 
     @property
     def count(self) -> int:
@@ -234,17 +126,17 @@ class Counting:
 
     def posterior(self) -> dict[str, float]:
         """Each goal's share of the sum of all scores, weighed by its prior."""
-        return posterior_by(self._labels, [p * s for p, s in zip(self.priors, self.score_sums())])
+        return posterior_by(self.labels, [p * s for p, s in zip(self.priors, self.score_sums())])
 
     def standing(self) -> Standing | None:
         """The best explanation and its rivals; None when there is none."""
         groups = self.groups()
         if not groups:
             return None
-        top, label = groups[0], self._labels[groups[0].plan]
+        top, label = groups[0], self.labels[groups[0].plan]
         least = least_tie(top.weight)
         equal = list(takewhile(lambda group: group.weight >= least, groups))
-        rivals = sum(group.ties for group in equal if self._labels[group.plan] != label)
+        rivals = sum(group.ties for group in equal if self.labels[group.plan] != label)
         return Standing(self.count, label, top.missed, rivals, sum(group.ties for group in equal))
 
     def first(self) -> Explanation | None:
@@ -324,20 +216,6 @@ class Counting:
             for mark, following, likelihood in successors(self.charts[plan], state, edges, self.noise is not None):
                 found.setdefault(following, []).append((state, mark, likelihood))
         return found
-
-
-def is_certain(seen: Seen) -> bool:
-    """Whether it was made out what was done."""
-    options = options_of(seen)
-    return len(options) == 1 and options[0][1] == 1.0
-
-
-def positions_of(plan: Plan) -> dict[str, list[int]]:
-    """The leaves of each action name, from left to right."""
-    positions: dict[str, list[int]] = {}
-    for at, leaf in enumerate(plan.leaves):
-        positions.setdefault(leaf.functor, []).append(at)
-    return positions
 
 
 def posterior_by(labels: Iterable[str], sums: Sequence[float]) -> dict[str, float]:

@@ -90,7 +90,7 @@ class Domain:
         noise: float | None = None,
         goals: int = 1,
         score: str = "paper",
-        budget: int = 3000,
+        budget: int | None = None,
     ) -> Reading:
         """A fresh reading of a partner; with ``noise`` and ``goals`` left alone it is the paper's.
 
@@ -102,7 +102,8 @@ class Domain:
             noise: the factor on a score for each observation that is needless or misread; None: there are none.
             goals: how many goals the partner may pursue at once.
             score: the name of a score (`engine.scoring`).
-            budget: how many hypotheses a search for more than two goals keeps.
+            budget: how many states are kept (None: 100,000; of two goals at once 50,000, of more 3,000). Where there
+                are more, the reading is not exact, and says so.
 
         Raises:
             CasperError: no such policy or score, a price or a number of goals that is none, or priors that do not

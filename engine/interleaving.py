@@ -5,209 +5,28 @@ goal has at least one and within each plan Algorithm 1 holds. Its score is the p
 plans: observed and missed leaves add up. What is yet to come depends on the *hypothesis* only, the plans with the state
 of each, so a level counts explanations by hypothesis.
 
-There are as many hypotheses as combinations of states. For two goals all are kept, and everything is exact. For more
-the ``budget`` most promising ones go on; once one was dropped, counts and sums are lower bounds, and `is_exact` says
-so.
+There are as many hypotheses as combinations of states (`casper.engine.hypotheses`). For two goals all are kept, and
+everything is exact; for more, and where even those of two are too many, it is a best-first search that says so.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from heapq import nlargest
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby, takewhile
-from math import prod
-from typing import TypeAlias
 
-from casper.engine.counting import is_certain, positions_of
 from casper.engine.explanation import Explanation, Interleaved
-from casper.engine.matching import Binding, Matcher, Mismatch
-from casper.engine.observation import Observation, Seen, options_of
+from casper.engine.hypotheses import Counts, Hypotheses, Hypothesis, Mark, Part
+from casper.engine.matching import Binding
 from casper.engine.paths import best_first
 from casper.engine.policy import Standing
-from casper.engine.scoring import Score, least_tie, paper
-from casper.engine.states import NEEDLESS, State, Weight, start
-from casper.plans.plan import Plan
-
-Part: TypeAlias = tuple[int, State]  # plan, and where it stands
-Hypothesis: TypeAlias = tuple[tuple[Part, ...], int]  # the goals pursued, in the order of the library; needless ones
-Mark: TypeAlias = tuple[int, int]  # plan and leaf; (NEEDLESS, NEEDLESS)
-Move: TypeAlias = tuple[int, State, float]  # leaf, state after, likelihood
-Counts: TypeAlias = dict[Hypothesis, int]
-Trail: TypeAlias = dict[Hypothesis, list[tuple[Hypothesis, Mark, float]]]
-
-EXACT_GOALS = 2
+from casper.engine.scoring import least_tie
+from casper.engine.states import NEEDLESS
 
 
-class Interleaving:
-    """Counts for up to so many goals at once. Interface: `casper.engine.recognisers.Recogniser`.
+class Interleaving(Hypotheses):
+    """What the counts say. Interface: `casper.engine.recognisers.Recogniser`; arguments: `Hypotheses`."""
 
-    Args:
-        plans, matcher, noise, priors, measure: as for `casper.engine.counting.Counting`.
-        goals: how many goals may be pursued at once.
-        budget: how many hypotheses are kept where there may be more than two.
-    """
-
-    def __init__(
-        self,
-        plans: Sequence[Plan],
-        matcher: Matcher,
-        goals: int = EXACT_GOALS,
-        noise: float | None = None,
-        priors: Sequence[float] | None = None,
-        measure: Score = paper,
-        budget: int = 3000,
-    ) -> None:
-        self.plans, self.matcher, self.goals, self.noise = plans, matcher, goals, noise
-        self.measure, self.budget = measure, budget
-        self.priors = priors or (1.0,) * len(plans)
-        self.labels = [plan.label for plan in plans]
-        self.charts = [plan.chart for plan in plans]
-        self._holders: dict[str, list[tuple[int, list[int]]]] = {}  # by action: plans and their leaves of that name
-        self._starts: dict[int, State] = {}
-        self.observations: list[Seen] = []
-        self.mismatches: list[dict[int, dict[str, None]]] = [{}]
-        self._levels: list[Counts] = [{((), 0): 1}]
-        self._trails: list[Trail] = []
-        self._weights: list[dict[Hypothesis, Weight] | None] = [None]
-        self._exact = [True]
-        self._scored: list[tuple[float, Hypothesis]] | None = None
-        for number, plan in enumerate(plans):
-            binding = matcher.initial(number)
-            if isinstance(binding, Mismatch):
-                self._note(number, binding)
-                continue
-            self._starts[number] = start(self.charts[number], binding)
-            for action, leaves in positions_of(plan).items():
-                self._holders.setdefault(action, []).append((number, leaves))
-
-    # --- observing -------------------------------------------------------------------------------------------------
-
-    def observe(self, seen: Seen) -> None:
-        """Advance every hypothesis by one observation."""
-        self.mismatches.append({})
-        certain = is_certain(seen)
-        trail = self._trail(options_of(seen))
-        counts = {after: sum(self._levels[-1][before] for before, _, _ in steps) for after, steps in trail.items()}
-        self.observations.append(seen)
-        self.matcher.observed(options_of(seen)[0][0] if certain else Observation(seen.action))
-        weights = self._weighed(trail, certain)
-        exact = self._exact[-1]
-        if self.goals > EXACT_GOALS and len(counts) > self.budget:
-            kept = nlargest(self.budget, counts, key=lambda h: self._promise(h, weights))
-            counts = {hypothesis: counts[hypothesis] for hypothesis in kept}
-            exact = False
-        self._levels.append(counts)
-        self._trails.append(trail)
-        self._weights.append(weights)
-        self._exact.append(exact)
-        self._scored = None
-
-    def _trail(self, options: Iterable[tuple[Observation, float]]) -> Trail:
-        """The hypotheses that follow, each with what leads there."""
-        trail: Trail = {}
-        moves: dict[Part, list[Move]] = {}
-        matched: dict[tuple[int, int, Observation, Binding], Binding | None] = {}
-        holders = [(number, option, weight, leaves) for option, weight in options
-                   for number, leaves in self._holders.get(option.action, ())]  # fmt: skip
-        by_plan: dict[int, list[tuple[Observation, float, list[int]]]] = {}
-        for number, option, weight, leaves in holders:
-            by_plan.setdefault(number, []).append((option, weight, leaves))
-
-        def onward(part: Part) -> list[Move]:
-            if part not in moves:
-                moves[part] = list(self._moves(part, by_plan.get(part[0], ()), matched))
-            return moves[part]
-
-        for before in self._levels[-1]:
-            parts, needless = before
-            for at, part in enumerate(parts):
-                for leaf, state, likelihood in onward(part):
-                    after = ((*parts[:at], (part[0], state), *parts[at + 1 :]), needless)
-                    trail.setdefault(after, []).append((before, (part[0], leaf), likelihood))
-            if len(parts) < self.goals:
-                taken = {self.labels[number] for number, _ in parts}
-                for number in by_plan:
-                    if self.labels[number] not in taken:
-                        for leaf, state, likelihood in onward((number, self._starts[number])):
-                            after = (_with(parts, (number, state)), needless)
-                            trail.setdefault(after, []).append((before, (number, leaf), likelihood))
-            if self.noise is not None:
-                trail.setdefault((parts, needless + 1), []).append((before, (NEEDLESS, NEEDLESS), 1.0))
-        return trail
-
-    def _moves(
-        self,
-        part: Part,
-        holders: Iterable[tuple[Observation, float, list[int]]],
-        matched: dict[tuple[int, int, Observation, Binding], Binding | None],
-    ) -> Iterator[Move]:
-        plan, (closed, entered, size, missed, _, binding) = part
-        for option, likelihood, leaves in holders:
-            for leaf in leaves:
-                if closed >> leaf & 1:
-                    continue
-                key = (plan, leaf, option, binding)
-                if key not in matched:
-                    result = self.matcher.match(plan, leaf, option, binding)
-                    matched[key] = None if isinstance(result, Mismatch) else result
-                    if isinstance(result, Mismatch):
-                        self._note(plan, result)
-                after = matched[key]
-                if after is not None:
-                    progress = self.charts[plan].close((closed, entered, size, missed), leaf)
-                    yield leaf, (*progress, 0, after), likelihood
-
-    def _weighed(self, trail: Trail, certain: bool) -> dict[Hypothesis, Weight] | None:
-        before, counts = self._weights[-1], self._levels[-1]
-        if before is None and certain:
-            return None
-        weighed: dict[Hypothesis, Weight] = {}
-        for after, steps in trail.items():
-            total, best, equal = 0.0, 0.0, 0
-            for earlier, _, likelihood in steps:
-                mass, largest, ties = before[earlier] if before is not None else (counts[earlier], 1.0, counts[earlier])
-                reached = largest * likelihood
-                total += mass * likelihood
-                equal = ties if reached > best else equal + ties if reached == best else equal
-                best = max(best, reached)
-            weighed[after] = (total, best, equal)
-        return weighed
-
-    def _promise(self, hypothesis: Hypothesis, weights: dict[Hypothesis, Weight] | None) -> tuple[int, float]:
-        """What is kept when not all can be: what needs fewest goals, misses and needless observations, then the score.
-
-        The score alone prefers few goals while little was observed, and drops what turns out to be true.
-        """
-        parts, needless = hypothesis
-        likelihood = weights[hypothesis][1] if weights is not None else 1.0
-        price = len(parts) + needless + sum(state[3] for _, state in parts)
-        return -price, self._score(hypothesis) * self._prior(hypothesis) * likelihood
-
-    def undo(self) -> None:
-        """Take back the last observation."""
-        for stack in (self.observations, self.mismatches, self._levels, self._trails, self._weights, self._exact):
-            stack.pop()
-        self.matcher.forget()
-        self._scored = None
-
-    def fork(self) -> Interleaving:
-        """A copy that goes its own way; what was counted so far is shared."""
-        other = object.__new__(Interleaving)
-        other.__dict__.update(self.__dict__)
-        other.matcher = self.matcher.fork()
-        for name in ("observations", "mismatches", "_levels", "_trails", "_weights", "_exact"):
-            setattr(other, name, list(getattr(self, name)))
-        return other
-
-    def _note(self, plan: int, mismatch: Mismatch) -> None:
-        self.mismatches[-1].setdefault(plan, {}).update(dict.fromkeys(mismatch.reasons))
-
-    # --- what the counts say ---------------------------------------------------------------------------------------
-
-    @property
-    def is_exact(self) -> bool:
-        """Whether no hypothesis was dropped so far."""
-        return self._exact[-1]
+    _scored: tuple[Counts, list[tuple[float, Hypothesis]]] | None = None  # the hypotheses of a level
 
     @property
     def count(self) -> int:
@@ -220,26 +39,15 @@ class Interleaving:
             return set(self._starts)
         return {plan for parts, _ in self._levels[level] for plan, _ in parts}
 
-    def _score(self, hypothesis: Hypothesis) -> float:
-        """Of an explanation that ends here: its score; 0 where everything is needless."""
-        parts, needless = hypothesis
-        if not parts:
-            return 0.0
-        size, missed = sum(state[2] for _, state in parts), sum(state[3] for _, state in parts)
-        above, below = self.measure(size, len(self.observations) - needless, missed)
-        return above / below if not needless else (self.noise or 1.0) ** needless * (above / below)
-
-    def _prior(self, hypothesis: Hypothesis) -> float:
-        return prod(self.priors[plan] for plan, _ in hypothesis[0])
-
     def _hypotheses(self) -> list[tuple[float, Hypothesis]]:
         """Weight (score and priors, of certain observations) and hypothesis, the best first."""
-        if self._scored is None:
+        level = self._levels[-1]
+        if self._scored is None or self._scored[0] is not level:
             found = [(self._score(h) * self._prior(h), h) for h in self._levels[-1] if h[0]]
             if self._weights[-1] is not None:
                 found = [(weight * self._weights[-1][h][1], h) for weight, h in found]
-            self._scored = sorted(found, key=lambda pair: (-pair[0], [plan for plan, _ in pair[1][0]]))
-        return self._scored
+            self._scored = level, sorted(found, key=lambda pair: (-pair[0], [plan for plan, _ in pair[1][0]]))
+        return self._scored[1]
 
     def _masses(self) -> Iterator[tuple[Hypothesis, float]]:
         weights = self._weights[-1]
@@ -318,9 +126,3 @@ class Interleaving:
         )
         needless = tuple(at for at, (plan, _) in enumerate(marks) if plan == NEEDLESS)
         return Interleaved(told, score, share, needless)
-
-
-def _with(parts: tuple[Part, ...], part: Part) -> tuple[Part, ...]:
-    """The parts with one more, in the order of the library."""
-    at = sum(other[0] < part[0] for other in parts)
-    return (*parts[:at], part, *parts[at:])

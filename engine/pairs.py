@@ -19,9 +19,9 @@ from itertools import count
 from typing import Any
 
 from casper.engine.arrays import Array, Arrays, Shares
-from casper.engine.counting import positions_of
 from casper.engine.explanation import Interleaved
 from casper.engine.interleaving import Interleaving
+from casper.engine.levels import positions_of
 from casper.engine.matching import Binding, Matcher, NameMatcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing

@@ -13,6 +13,7 @@ from casper.engine.matching import Binding, Matcher, NameMatcher, ParameterMatch
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
 from casper.engine.scoring import Score, paper
+from casper.engine.states import MOST_STATES
 from casper.kb.errors import CasperError
 from casper.plans.plan import Plan, is_plain
 
@@ -73,14 +74,14 @@ class Options:
 
     ``noise`` is the factor on a score for each needless or misread observation (None: there are none), ``goals`` how
     many goals may be pursued at once, ``priors`` each goal's prior by label, ``measure`` the score, ``budget`` how many
-    states a search for more than two goals may keep.
+    states may be kept (None: 100,000; of two goals at once 50,000, of more 3,000).
     """
 
     noise: float | None = None
     goals: int = 1
     priors: Mapping[str, float] | None = None
     measure: Score = paper
-    budget: int = 3000
+    budget: int | None = None
 
     def check(self) -> None:
         """Refuse what makes no sense.
@@ -93,7 +94,7 @@ class Options:
             raise CasperError(f"the price of a needless observation is a factor above 0 and at most 1, not {noise}")
         if isinstance(self.goals, bool) or not isinstance(self.goals, int) or self.goals < 1:
             raise CasperError(f"the number of goals pursued at once is a whole number from 1, not {self.goals}")
-        if self.budget < 1:
+        if self.budget is not None and self.budget < 1:
             raise CasperError(f"a search needs a budget of at least one state, not {self.budget}")
 
 
@@ -124,7 +125,8 @@ def recogniser(plans: Sequence[Plan], matcher: Matcher, options: Options) -> Rec
 
         return NoisyArrays(plans, matcher, options.noise, priors)
     if not plain:
-        return Counting(plans, matcher, options.noise, priors, options.measure)
+        budget = options.budget or MOST_STATES
+        return Counting(plans, matcher, options.noise, priors, options.measure, budget)
     if not _is_large(plans) or not _has_numpy():
         from casper.engine.chains import Chains
 
