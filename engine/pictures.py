@@ -103,7 +103,7 @@ def _draw(axis: Any, tree: nx.DiGraph, places: dict[int, tuple[float, float]]) -
         box.set_gid(f"{data['kind']} {data['term']}: {data['status']}")
         axis.add_patch(box)
         mark = f"{MARKS[data['status']]} " if data["kind"] == "action" else ""
-        text = _wrapped(f"{mark}{data['term']}")
+        text = _wrapped(f"{mark}{'or ' if data['rival'] else ''}{data['term']}")
         plain = {"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.85}
         shown = plain if data["status"] == "missed" else None  # letters on a texture are hard to read
         axis.text(x, y, text, ha="center", va="center", fontsize=6.5, zorder=3, bbox=shown)

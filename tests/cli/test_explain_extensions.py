@@ -22,6 +22,13 @@ def test_the_best_explanations_are_drawn(casper, tmp_path):
     assert (told.code, file.read_text().startswith("<?xml")) == (0, True)
 
 
+def test_the_question_that_tells_most_is_asked(casper):
+    seen = ("explain", "kitchen", "pick_and_place", "pick_and_place", "wash", "--no-verification", "--questions", "1")
+    assert casper(*seen, "--json").json[-1]["questions"][0]["question"] == "is the goal lunch?"
+    assert "ask: is the goal lunch? (0.97 bits, yes 0.40)" in casper(*seen).out
+    assert "questions" not in casper(*seen[:-2], "--json").json[-1]
+
+
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [

@@ -21,6 +21,9 @@ def explain(
     no_verification: Unverified = False,
     noise: Noise = None,
     goals: Goals = 1,
+    questions: Annotated[
+        int, typer.Option("--questions", min=0, metavar="N", help="Show the N questions whose answer would tell most.")
+    ] = 0,
     picture: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Draw the best explanations of all actions: .svg, .png or .pdf.")
     ] = None,
@@ -34,17 +37,18 @@ def explain(
     for action in actions:
         reading.observe(action)
         if as_json:
-            print_json(reading.to_json(top))
+            asked = {"questions": [q.to_json() for q in reading.questions()[:questions]]} if questions else {}
+            print_json({**reading.to_json(top), **asked})
         else:
-            show(reading, top)
+            show(reading, top, questions)
     if picture is not None:
         from casper.engine.pictures import save_picture
 
         save_picture([part for explanation in reading.best(max(top, 1)) for part in explanation.parts], picture)
 
 
-def show(reading: Reading, top: int) -> None:
-    """Print a reading for a person: shares as bars, the best explanations as marked trees."""
+def show(reading: Reading, top: int, questions: int = 0) -> None:
+    """Print a reading for a person: shares as bars, the best explanations as marked trees, what to ask."""
     from rich.markup import escape
 
     from casper.cli.output import bar, console
@@ -74,3 +78,5 @@ def show(reading: Reading, top: int) -> None:
     if best and best[0].frontier:
         still = ", ".join(term_text(as_term(action)) for action in best[0].frontier)
         out.print(f"yet to come: {escape(still)}")
+    for question in reading.questions()[:questions] if questions else ():
+        out.print(f"ask: {escape(str(question))} [dim]({question.gain:.2f} bits, yes {question.yes:.2f})[/]")
