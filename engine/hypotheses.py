@@ -58,7 +58,7 @@ class Hypotheses:
         self._holders: dict[str, list[tuple[int, list[int]]]] = {}  # by action: plans and their leaves of that name
         self._starts: dict[int, State] = {}
         self.observations: list[Seen] = []
-        self.mismatches: list[dict[int, dict[str, None]]] = [{}]
+        self.mismatches: list[dict[int, list[Mismatch]]] = [{}]
         self._levels: list[Counts] = [{((), 0): 1}]
         self._trails: list[Trail] = []
         self._weights: list[dict[Hypothesis, Weight] | None] = [None]
@@ -191,7 +191,7 @@ class Hypotheses:
         return other
 
     def _note(self, plan: int, mismatch: Mismatch) -> None:
-        self.mismatches[-1].setdefault(plan, {}).update(dict.fromkeys(mismatch.reasons))
+        self.mismatches[-1].setdefault(plan, []).append(mismatch)
 
     @property
     def is_exact(self) -> bool:

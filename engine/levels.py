@@ -44,7 +44,7 @@ class Levels:
         self.charts = [plan.chart for plan in plans]
         self._positions = [positions_of(plan) for plan in plans]
         self.observations: list[Seen] = []
-        self.mismatches: list[dict[int, dict[str, None]]] = [{}]  # after each observation, by plan: why it was cut
+        self.mismatches: list[dict[int, list[Mismatch]]] = [{}]  # after each observation, by plan: why it was cut
         self.levels: list[dict[int, Level]] = [{}]
         self._edges: list[dict[int, Edges]] = []
         self._weights: list[dict[int, dict[State, Weight]] | None] = [None]
@@ -140,7 +140,7 @@ class Levels:
         return weighed
 
     def _note(self, plan: int, mismatch: Mismatch) -> None:
-        self.mismatches[-1].setdefault(plan, {}).update(dict.fromkeys(mismatch.reasons))
+        self.mismatches[-1].setdefault(plan, []).append(mismatch)
 
 
 def is_certain(seen: Seen) -> bool:

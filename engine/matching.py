@@ -19,11 +19,41 @@ from casper.plans.plan import Plan
 Binding: TypeAlias = tuple[Term | None, ...]
 
 
-@dataclass(frozen=True, slots=True)
 class Mismatch:
-    """Why an observation cannot be a leaf, one sentence each."""
+    """That an observation cannot be a leaf, and why."""
 
-    reasons: tuple[str, ...]
+    @property
+    def reasons(self) -> tuple[str, ...]:
+        """Why, one sentence each."""
+        return ()
+
+
+@dataclass(frozen=True)
+class Refused(Mismatch):
+    """A mismatch with the sentences of those who refused it."""
+
+    sentences: tuple[str, ...]
+
+    @property
+    def reasons(self) -> tuple[str, ...]:
+        """Why, one sentence each."""
+        return self.sentences
+
+
+@dataclass(frozen=True)
+class Clash(Mismatch):
+    """A mismatch of parameters; its sentence is made when somebody asks, which is seldom where there are many plans."""
+
+    plan: Plan
+    leaf: int
+    observation: Observation
+    binding: Binding
+
+    @property
+    def reasons(self) -> tuple[str, ...]:
+        """Why, one sentence each."""
+        seen = Compound((self.observation.action, *(self.observation.args or ())))
+        return (_conflict(self.plan, self.plan.leaves[self.leaf], seen, bindings_of(self.plan, self.binding)),)
 
 
 class Matcher(Protocol):
@@ -70,11 +100,15 @@ class NameMatcher:
         return self
 
 
+Slot: TypeAlias = tuple[int, Term]  # which of the plan's parameters an argument is; (-1, value) for a constant
+
+
 class ParameterMatcher:
     """Parameters flow between leaves; a conflict rejects the leaf."""
 
     def __init__(self, plans: Sequence[Plan]) -> None:
         self.plans = plans
+        self._slots: dict[int, list[tuple[Slot, ...] | None]] = {}  # by plan and leaf; None: not plain
 
     def initial(self, plan: int) -> Binding | Mismatch:
         """No parameter is known."""
@@ -84,13 +118,15 @@ class ParameterMatcher:
         """Unify the leaf under the binding with the observation."""
         if observation.args is None:
             return binding
-        known = bindings_of(self.plans[plan], binding)
-        wanted = self.plans[plan].leaves[leaf]
-        seen = Compound((observation.action, *_apart(observation.args)))
-        unified = unify(wanted, seen, known)
-        if unified is None:
-            return Mismatch((_conflict(self.plans[plan], wanted, seen, known),))
-        return binding_of(self.plans[plan], unified)
+        by_leaf = self._slots.get(plan)
+        if by_leaf is None:
+            by_leaf = self._slots[plan] = slots_of(self.plans[plan])
+        slots = by_leaf[leaf]
+        if slots is None or not observation.is_plain:
+            after = unified(self.plans[plan], leaf, observation, binding)
+        else:
+            after = filled(slots, observation.args, binding)
+        return Clash(self.plans[plan], leaf, observation, binding) if after is None else after
 
     def observed(self, observation: Observation) -> None:
         """Nothing depends on the past."""
@@ -101,6 +137,38 @@ class ParameterMatcher:
     def fork(self) -> Matcher:
         """Nothing depends on the past."""
         return self
+
+
+def slots_of(plan: Plan) -> list[tuple[Slot, ...] | None]:
+    """What the arguments of each leaf are; None where one is a compound term."""
+    numbers = {variable: at for at, variable in enumerate(plan.variables)}
+    return [
+        None
+        if any(isinstance(arg, Compound) for arg in leaf.args)
+        else tuple((numbers[arg], None) if isinstance(arg, Variable) else (-1, arg) for arg in leaf.args)
+        for leaf in plan.leaves
+    ]
+
+
+def filled(slots: Sequence[Slot], values: Sequence[Term], binding: Binding) -> Binding | None:
+    """The binding after constants were seen as arguments; None where they clash. The same as `unified`, and faster."""
+    if len(slots) != len(values):
+        return None
+    after = binding
+    for (number, constant), value in zip(slots, values):
+        wanted = constant if number < 0 else after[number]
+        if wanted is None:
+            after = (*after[:number], value, *after[number + 1 :])
+        elif wanted != value:
+            return None
+    return after
+
+
+def unified(plan: Plan, leaf: int, observation: Observation, binding: Binding) -> Binding | None:
+    """The binding after the observation was unified with the leaf; None where they clash."""
+    seen = Compound((observation.action, *_apart(observation.args or ())))
+    bindings = unify(plan.leaves[leaf], seen, bindings_of(plan, binding))
+    return None if bindings is None else binding_of(plan, bindings)
 
 
 def bindings_of(plan: Plan, binding: Binding) -> Bindings:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from typing import Any, TypeAlias
 
@@ -23,6 +23,11 @@ class Observation:
 
     action: str
     args: tuple[Term, ...] | None = None
+    is_plain: bool = field(init=False, repr=False, compare=False)  # whether all its arguments are constants
+
+    def __post_init__(self) -> None:
+        plain = self.args is not None and not any(isinstance(arg, (Variable, tuple)) for arg in self.args)
+        object.__setattr__(self, "is_plain", plain)
 
     @property
     def known_args(self) -> int:

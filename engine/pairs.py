@@ -22,7 +22,7 @@ from casper.engine.arrays import Array, Arrays, Shares
 from casper.engine.explanation import Interleaved
 from casper.engine.interleaving import Interleaving
 from casper.engine.levels import positions_of
-from casper.engine.matching import Binding, Matcher, NameMatcher
+from casper.engine.matching import Binding, Matcher, Mismatch, NameMatcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
 from casper.engine.scoring import least_tie
@@ -101,7 +101,7 @@ class Pairs:
     # --- what the counts say ---------------------------------------------------------------------------------------
 
     @property
-    def mismatches(self) -> Sequence[Mapping[int, Mapping[str, None]]]:
+    def mismatches(self) -> Sequence[Mapping[int, Sequence[Mismatch]]]:
         """No name ever clashes with a parameter."""
         return ({},) * (len(self.observations) + 1)
 

@@ -242,7 +242,8 @@ class Reading:
         found: dict[str, None] = {}
         plans, mismatches = self.library.ways, self._engine.mismatches[level]
         for number in self._numbers[label] if mismatches else ():
-            found.update(mismatches.get(number, {}))
+            for mismatch in mismatches.get(number, ()):
+                found.update(dict.fromkeys(mismatch.reasons))
         if found or not level:
             return tuple(found)
         names = {leaf.functor for number in self._numbers[label] for leaf in plans[number].leaves}

@@ -9,7 +9,7 @@ from typing import Any, Protocol, Self
 
 from casper.engine.counting import Counting
 from casper.engine.explanation import Explanation, Interleaved
-from casper.engine.matching import Binding, Matcher, NameMatcher, ParameterMatcher
+from casper.engine.matching import Binding, Matcher, Mismatch, NameMatcher, ParameterMatcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
 from casper.engine.scoring import Score, paper
@@ -29,7 +29,7 @@ class Recogniser(Protocol):
     observations: list[Seen]
 
     @property
-    def mismatches(self) -> Sequence[Mapping[int, Mapping[str, None]]]:
+    def mismatches(self) -> Sequence[Mapping[int, Sequence[Mismatch]]]:
         """After each observation, by plan, the reasons why it could not go on."""
 
     @property

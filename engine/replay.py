@@ -13,7 +13,7 @@ from typing import Any, Self
 
 from casper.engine.counting import Counting, posterior_by
 from casper.engine.explanation import Explanation
-from casper.engine.matching import Binding, Matcher, NameMatcher
+from casper.engine.matching import Binding, Matcher, Mismatch, NameMatcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
 from casper.plans.plan import Plan
@@ -30,7 +30,7 @@ class Replay(ABC):
         self.observations: list[Seen] = []
 
     @property
-    def mismatches(self) -> Sequence[Mapping[int, Mapping[str, None]]]:
+    def mismatches(self) -> Sequence[Mapping[int, Sequence[Mismatch]]]:
         """No name ever clashes with a parameter."""
         return ({},) * (len(self.observations) + 1)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from casper.engine.matching import Binding, Matcher, Mismatch, ParameterMatcher, binding_of, bindings_of
+from casper.engine.matching import Binding, Matcher, Mismatch, ParameterMatcher, Refused, binding_of, bindings_of
 from casper.engine.observation import Observation
 from casper.kb.base import KnowledgeBase
 from casper.kb.terms import Compound, as_term, is_ground, substitute, unify
@@ -60,7 +60,7 @@ class VerifyingMatcher(ParameterMatcher):
                 return result
         action = substitute(self.plans[plan].leaves[leaf], bindings_of(self.plans[plan], result))
         verdict = self.kb.verify(Compound((action.functor, self.partner, *action.args)), self._histories[-1])
-        return Mismatch(verdict.reasons) if verdict.valid is False else result
+        return Refused(verdict.reasons) if verdict.valid is False else result
 
     def observed(self, observation: Observation) -> None:
         """Remember the action for did/2, where it is known in full."""
@@ -112,4 +112,4 @@ def settle(kb: KnowledgeBase, plan: Plan, binding: Binding) -> Binding | Mismatc
     if answers:
         return answers[0]
     refusal = kb.why_not(goal)
-    return Mismatch(refusal.reasons if refusal is not None else ())
+    return Refused(refusal.reasons if refusal is not None else ())
