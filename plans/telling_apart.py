@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, islice
 
 from casper.kb.finding import Finding, note, warning
 from casper.kb.terms import Compound, Variable, as_term, substitute, unify, variables_of
@@ -18,8 +18,10 @@ from casper.kb.writer import term_text
 from casper.plans.chart import Chart
 from casper.plans.library import PlanLibrary, goal_of
 from casper.plans.plan import Plan
+from casper.plans.spelling import spelled_out
 
 MOST_PAIRS = 5_000
+MOST_WAYS = 64
 MOST_STATES = 20_000
 
 
@@ -64,7 +66,7 @@ def inseparable_goals(library: PlanLibrary) -> Iterator[Finding]:
     first: dict[frozenset[object], str] = {}
     conditional = {goal_of(clause).functor for clause in library.goal_clauses if clause.body}
     for label, plans in _by_goal(library.ways).items():
-        signature = frozenset(_signature(plan) for plan in plans)
+        signature = frozenset(_signature(way) for plan in plans for way in _ways(plan))
         if plans[0].goal.functor in conditional and any(plan.variables for plan in plans):
             continue
         earlier = first.setdefault(signature, label)
@@ -161,6 +163,12 @@ def _by_goal(plans: Sequence[Plan]) -> dict[str, list[Plan]]:
     for plan in plans:
         goals.setdefault(plan.label, []).append(plan)
     return goals
+
+
+def _ways(plan: Plan) -> list[Plan]:
+    """The plan spelled out, so that it does not matter how it is written; as it is, where that is too long."""
+    ways = list(islice(spelled_out(plan), MOST_WAYS + 1))
+    return ways if len(ways) <= MOST_WAYS else [plan]
 
 
 def _signature(plan: Plan) -> object:
