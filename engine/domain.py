@@ -32,6 +32,7 @@ from casper.plans.relations import RELATIONS, plan_clauses
 
 ONTOLOGY = "ontology.pl"
 FILES = (ONTOLOGY, "plans.pl", "actions.pl", "movements.pl", "scene.pl")
+PRIOR = ("prior", 2)
 MOST_KEPT = 8  # readings to make others of
 SHIPPED = Path(__file__).resolve().parent.parent / "domains"
 
@@ -113,14 +114,17 @@ class Domain:
             raise PlanError(f"the domain {self.name} has no plans to explain anything with; add them in plans.pl")
         key = (policy, verification, noise, goals, score, budget, self.kb.changes)
         if key not in self._unread:
-            priors = priors_of(self.kb.rows("prior", 2), self.library.goals)
-            options = Options(noise, goals, priors, score_named(score), budget)
+            options = Options(noise, goals, self._priors(), score_named(score), budget)
             matcher = self._matcher(verification)
             fresh = Reading(self.library, matcher, policy_named(policy), self.capability, options)
             if len(self._unread) >= MOST_KEPT or any(key[-1] != self.kb.changes for key in self._unread):
                 self._unread.clear()
             self._unread[key] = fresh
         return self._unread[key].fork()
+
+    def _priors(self) -> dict[str, float]:
+        places = {clause.head.args: clause.place for clause in self.kb.clauses_of(PRIOR)}
+        return priors_of(self.kb.rows(*PRIOR), self.library.goals, places.get)
 
     @cached_property
     def _unread(self) -> dict[tuple[Any, ...], Reading]:

@@ -120,5 +120,4 @@ def _asked_of(domain: Domain) -> Iterator[Finding]:
         if domain.library.ways:
             domain.reading()
     except CasperError as mistake:  # its priors do not add up
-        stated = [clause.place for clause in domain.kb.clauses_of(("prior", 2))]
-        yield finding_of(mistake, (stated or [Place(str(domain.folder))])[0])
+        yield finding_of(mistake, Place(str(domain.folder)))

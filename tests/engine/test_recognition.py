@@ -122,8 +122,9 @@ def test_priors_are_facts_of_the_domain(tmp_path):
     ],
 )
 def test_priors_that_are_none_are_refused(tmp_path, facts, sentence):
-    with pytest.raises(CasperError, match=sentence):
-        domain(tmp_path, f"goal(tea). goal(milk). tea --> boil. milk --> open. {facts}").reading()
+    with pytest.raises(CasperError, match=sentence) as caught:
+        domain(tmp_path, f"goal(tea). goal(milk). tea --> boil. milk --> open.\n{facts}").reading()
+    assert caught.value.place is not None and caught.value.place.line == 2
 
 
 def test_a_fork_asks_what_if():
