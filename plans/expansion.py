@@ -11,26 +11,15 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Literal, TypeAlias
 
 from casper.kb.clauses import Literal as Condition
 from casper.kb.clauses import Production
 from casper.kb.errors import Place, PlanError
-from casper.kb.terms import (
-    Bindings,
-    Compound,
-    Term,
-    Variable,
-    as_term,
-    is_ground,
-    predication,
-    renamed,
-    substitute,
-    unify,
-)
+from casper.kb.terms import Bindings, Compound, Term, as_term, is_ground, predication, renamed, unify
 from casper.kb.writer import term_text
+from casper.plans.naming import called, settled, settles, with_values
 from casper.plans.plan import Action, Node, Plan, Shape, Task
 from casper.plans.shapes import CHOICES, SHAPES, Items, partial_order
 
@@ -80,8 +69,12 @@ def expand(
 def _roots(grammar: _Grammar, goal: Compound, place: Place) -> Iterator[Task]:
     grammar.items = 0
     try:
+        plain = grammar.plain(goal)
+        if plain is not None:
+            yield plain
+            return
         for node, bindings in grammar.task(goal, {}, (), place):
-            root = _settled(node, bindings)
+            root = settled(node, bindings)
             assert isinstance(root, Task)
             yield root
     except RecursionError:
@@ -100,66 +93,33 @@ def _can_be_empty(node: Node) -> bool:
     return kind == "optional" or (any if kind == "choice" else all)(map(_can_be_empty, node.children))
 
 
-def _is_settled(node: Node) -> bool:
-    """Whether the tree has no parameter at all."""
-    if not isinstance(node, Shape) and len(node.term) > 1 and not is_ground(node.term):
-        return False
-    return isinstance(node, Action) or all(map(_is_settled, node.children))
-
-
-def _settled(node: Node, bindings: Bindings) -> Node:
-    """The tree with every parameter replaced by what became of it, under names a person can read."""
-    if _is_settled(node):
-        return node
-    names: dict[Variable, Variable] = {}
-    taken: set[str] = set()
-
-    def name(term: Term) -> Term:
-        if isinstance(term, Variable):
-            if term not in names:
-                names[term] = _fresh_name(term, taken)
-            return names[term]
-        return Compound([name(part) for part in term]) if isinstance(term, Compound) else term
-
-    def settle(node: Node) -> Node:
-        if isinstance(node, Shape):
-            return Shape(node.kind, tuple(settle(child) for child in node.children), node.order)
-        term = name(substitute(node.term, bindings))
-        if isinstance(node, Action):
-            return Action(term, node.place)
-        return Task(term, tuple(settle(child) for child in node.children))
-
-    return settle(node)
-
-
-def _fresh_name(variable: Variable, taken: set[str]) -> Variable:
-    """The author's name for the variable, numbered where two different ones share it."""
-    base = variable.name
-    name, number = base, 1
-    while name in taken:
-        number += 1
-        name = f"{base}{number}" if not base.startswith("_#") else f"_#{number}0{base[2:]}"
-    taken.add(name)
-    return Variable(name)
-
-
 Way: TypeAlias = tuple[tuple[Node, ...], Bindings]  # what is done in order, and what is known then
 Ways: TypeAlias = Iterator[Way]
 
 
-@dataclass
 class _Grammar:
     """Productions by the task they produce, and the expansion of bodies."""
 
-    methods: dict[tuple[str, int], list[Production]]
-
     def __init__(self, productions: Sequence[Production], recursion: int = 0) -> None:
-        self.methods = {}
+        self.methods: dict[tuple[str, int], list[Production]] = {}
         self.serial = self.items = 0
         self.recursion = recursion
-        self.actions: dict[tuple[Term, int], Action] = {}  # by item and place: large libraries repeat themselves
+        self.actions: set[tuple[Term, int]] = set()  # those that were looked at, by name and length
         for production in productions:
             self.methods.setdefault(production.head.indicator, []).append(production)
+
+    def plain(self, goal: Compound) -> Task | None:
+        """The plan of a goal whose one production lists nothing but actions, as most do in large libraries.
+
+        It needs no unification. None for any other goal: `task` does all of them, and these the same.
+        """
+        production, *others = self.methods[goal.indicator]
+        if others:
+            return None
+        body = production.body
+        items = body[1:] if isinstance(body, Compound) and body[0] == "," else (body,)
+        actions = self.leading_actions(items, production.place)
+        return called(goal, production.head, actions) if len(actions) == len(items) else None
 
     def task(
         self, term: Compound, bindings: Bindings, above: tuple[Compound, ...], place: Place
@@ -220,13 +180,11 @@ class _Grammar:
         ways = [way for items in rows for way in self.sequence(items, bindings, above, place)]
         yield from _together(ways, bindings, serial) if term.functor == ";" else ways
 
-    def optional(
-        self, term: Compound, bindings: Bindings, above: tuple[Compound, ...], place: Place
-    ) -> Way | None:
+    def optional(self, term: Compound, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Way | None:
         """An optional part as a node of the plan; None where it is a choice."""
         serial = self.serial
         ways = list(islice(self.sequence(term.args, bindings, above, place), 2))
-        if len(ways) != 1 or _settles(bindings, ways[0][1], serial):
+        if len(ways) != 1 or settles(bindings, ways[0][1], serial):
             return None
         return (Shape("optional", ways[0][0]),), ways[0][1]
 
@@ -257,15 +215,21 @@ class _Grammar:
         """The items up to the first that is no plain action: nothing is to be chosen there."""
         actions = []
         for item in items:
-            action = self.actions.get((item, id(place)))
-            if action is None:
-                term = Compound((item,)) if isinstance(item, str) else item
-                if not isinstance(term, Compound) or term.indicator in self.methods or term[0] in SHAPES:
-                    break
-                _check_action(term, place)
-                action = self.actions[item, id(place)] = Action(term, place)
-            actions.append(action)
+            term = Compound((item,)) if isinstance(item, str) else item
+            if not (isinstance(term, Compound) and self.is_action(term, place)):
+                break
+            actions.append(Action(term, place))
         return tuple(actions)
+
+    def is_action(self, term: Compound, place: Place) -> bool:
+        """Whether an item is an action: large libraries have few names, each is looked at once."""
+        name = term[0], len(term)
+        if name not in self.actions:
+            if term.indicator in self.methods or term[0] in SHAPES:
+                return False
+            _check_action(term, place)
+            self.actions.add(name)
+        return True
 
 
 def _one(nodes: tuple[Node, ...]) -> Node:
@@ -278,28 +242,11 @@ def _together(ways: Sequence[Way], before: Bindings, serial: int) -> Ways:
     if len(free) < 2:
         yield from ways
         return
-    choice = Shape("choice", tuple(_with_values(_one(nodes), bindings) for nodes, bindings in free))
+    choice = Shape("choice", tuple(with_values(_one(nodes), bindings) for nodes, bindings in free))
     at = next(at for at, way in enumerate(ways) if way is free[0])
     yield from ways[:at]
     yield (choice,), before
     yield from (way for way in ways[at:] if not any(way is other for other in free))
-
-
-def _with_values(node: Node, bindings: Bindings) -> Node:
-    """The tree with what became of its parameters: alternatives may give those of one production different values."""
-    if isinstance(node, Action):
-        return replace(node, term=substitute(node.term, bindings))
-    children = tuple(_with_values(child, bindings) for child in node.children)
-    if isinstance(node, Shape):
-        return replace(node, children=children)
-    return Task(substitute(node.term, bindings), children)
-
-
-def _settles(before: Bindings, after: Bindings, serial: int) -> bool:
-    """Whether parameters that were there before (those with a serial number up to this one) were given a value."""
-    values = [substitute(v, after) for v in after.keys() - before.keys() if v.serial <= serial]
-    fresh = {v for v in values if isinstance(v, Variable) and v.serial > serial}
-    return len(fresh) != len(values)
 
 
 def _check_action(term: Compound, place: Place) -> None:

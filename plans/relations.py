@@ -16,7 +16,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from casper.kb.clauses import Clause, Literal
-from casper.kb.terms import Compound, Variable, as_term, is_ground, variables_of
+from casper.kb.errors import Place
+from casper.kb.terms import Compound, Term, Variable, as_term, is_ground, variables_of
 from casper.plans.chart import bits
 from casper.plans.library import PlanLibrary
 from casper.plans.plan import Plan
@@ -28,27 +29,34 @@ RELATIONS = (
 
 
 def plan_clauses(library: PlanLibrary) -> Iterator[Clause]:
-    """The clauses of step/3, uses/2, before/3, optional/2, alternative/3 and task/1 for a library."""
-    seen: set[Clause] = set()
+    """The clauses of step/3, uses/2, before/3, optional/2, alternative/3 and task/1 for a library, each once."""
+    seen: set[Compound] = set()
+    general: set[Term] = set()  # relations that have their rule for all goals without parameters
     for plan in library.ways:
+        condition = (Literal(Compound(("goal", as_term(plan.goal)))),)
         for row in _rows(plan):
-            if is_ground(row):
-                yield from _once(seen, _general(row))
-                yield from _once(seen, Clause(Compound((f"plan_{row.functor}", *row.args)), (), plan.place))
-            else:
-                yield from _once(seen, Clause(row, (Literal(Compound(("goal", row[1]))),), plan.place))
-    for production in library.productions:
-        yield from _once(seen, Clause(Compound(("task", production.head.functor)), (), production.place))
+            if row in seen:
+                continue
+            seen.add(row)
+            if plan.variables and not is_ground(row):
+                yield Clause(row, condition, plan.place)
+                continue
+            if row[0] not in general:
+                general.add(row[0])
+                yield _general(row)
+            yield Clause(Compound((f"plan_{row[0]}", *row[1:])), (), plan.place)
+    yield from _task_clauses(library)
 
 
 def _rows(plan: Plan) -> Iterator[Compound]:
     """What holds of a plan, if its goal does."""
     goal, chart = as_term(plan.goal), plan.chart
-    parameters = set(variables_of(goal))
+    parameters, used = set(variables_of(goal)), set[Term]()
     for number, leaf in enumerate(plan.leaves, 1):
         yield Compound(("step", goal, number, as_term(leaf)))
         for thing in leaf.args:
-            if not isinstance(thing, Variable) or thing in parameters:
+            if thing not in used and (not isinstance(thing, Variable) or thing in parameters):
+                used.add(thing)
                 yield Compound(("uses", goal, thing))
         for earlier in chart.directly_before(number - 1):
             yield Compound(("before", goal, earlier + 1, number))
@@ -65,7 +73,8 @@ def _general(row: Compound) -> Clause:
     return Clause(Compound((row.functor, *names)), body)
 
 
-def _once(seen: set[Clause], clause: Clause) -> Iterator[Clause]:
-    if clause not in seen:
-        seen.add(clause)
-        yield clause
+def _task_clauses(library: PlanLibrary) -> Iterator[Clause]:
+    places: dict[str, Place] = {}
+    for production in library.productions:
+        places.setdefault(production.head.functor, production.place)
+    return (Clause(Compound(("task", task)), (), place) for task, place in places.items())

@@ -5,6 +5,9 @@ from functools import cache
 import pytest
 
 from casper.engine.domain import Domain
+from casper.kb.writer import program_text
+from casper.plans.library import PlanLibrary
+from casper.plans.relations import plan_clauses
 
 
 @cache
@@ -57,3 +60,32 @@ def test_plans_join_with_the_ontology():
 
 def test_a_use_of_a_goal_has_a_proof():
     assert "goal(lunch(meal))" in str(kb().why("uses(lunch(meal), hobs)"))
+
+
+@pytest.mark.parametrize(
+    ("text", "clauses"),
+    [
+        (
+            "tea(X) --> boil(pot), pour(pot, X).",
+            "step(tea(X), 1, boil(pot)) :- goal(tea(X)).\n"
+            "uses(tea(X), pot) :- goal(tea(X)).\n"
+            "step(tea(X), 2, pour(pot, X)) :- goal(tea(X)).\n"
+            "uses(tea(X), X) :- goal(tea(X)).\n"
+            "before(tea(X), 1, 2) :- goal(tea(X)).\n"
+            "task(tea).\n",
+        ),
+        (
+            "goal(tea(mug)). goal(tea(X)). tea(mug) --> boil, wash(mug, Where).",  # one plan of two goals
+            "step(Goal, Number, What) :- plan_step(Goal, Number, What), goal(Goal).\n"
+            "plan_step(tea(mug), 1, boil).\n"
+            "step(tea(mug), 2, wash(mug, Where)) :- goal(tea(mug)).\n"
+            "uses(Goal, Number) :- plan_uses(Goal, Number), goal(Goal).\n"
+            "plan_uses(tea(mug), mug).\n"
+            "before(Goal, Number, What) :- plan_before(Goal, Number, What), goal(Goal).\n"
+            "plan_before(tea(mug), 1, 2).\n"
+            "task(tea).\n",
+        ),
+    ],
+)
+def test_rows_with_parameters_are_rules_and_others_facts_each_once(text, clauses):
+    assert program_text(plan_clauses(PlanLibrary.from_text(text))) == clauses
