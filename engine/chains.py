@@ -49,22 +49,21 @@ class Chains(Replay):
 
     def observe(self, seen: Seen) -> None:
         """Advance every plan that has the action."""
-        action, observations = seen.action, self.observations
-        observations.append(seen)
-        if len(observations) == 1:  # all counts are one: nothing depends on what was before
-            level = self._first.get(action)
-            if level is None:
-                level = self._first[action] = self._advanced(action)
-            self._levels.append(level)
-        else:
-            self._levels.append(self._advanced(action))
+        action = seen.action
+        if self.observations:
+            level = self._advanced(action)
+        else:  # all counts are one: nothing depends on what was before
+            known = self._first.get(action)
+            level = self._first[action] = self._advanced(action) if known is None else known
+        self._levels.append(level)
+        self.observations.append(seen)
 
     def _advanced(self, action: str) -> Level:
         last, before, _, _ = self._levels[-1]
         rows = self._tables.get((last, action))
         if rows is None:
             rows = self._table(last, action)
-        k, whole, priors = len(self.observations), 0.0, self.priors
+        k, whole, priors = len(self.observations) + 1, 0.0, self.priors
         running: dict[int, list[int]] = {}
         standings: Standings = []
         for plan, square, moves in rows:

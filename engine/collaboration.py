@@ -65,14 +65,15 @@ def collaborative_plan(agent: str, situation: Situation, capability: Capability)
         actions[leaf], can = capability(situation, leaf, agent)
         if can:
             able.append(leaf)
-    run = longest_run(able, [leaf for leaf in actions if leaf not in able], before)
+    others = [leaf for leaf in actions if leaf not in able and situation.belonging >> leaf & 1]
+    run = longest_run(able, others, before)
     needed = _union(before[leaf] for leaf in run) if run else -1  # nothing to do: everything is left to the partner
     awaited = [leaf for leaf in actions if (needed & situation.belonging) >> leaf & 1 and leaf not in run]
     return _plan(agent, situation.goal, [(a, actions[a]) for a in awaited], [(a, actions[a]) for a in run])
 
 
 def longest_run(able: Sequence[int], others: Sequence[int], before: Sequence[int]) -> tuple[int, ...]:
-    """The most leaves of ``able`` that can be done in one go once some of the ``others`` are done.
+    """The most leaves of ``able`` found that can be done in one go once some of the ``others`` are done.
 
     Of two equally long runs the one that more comes before: the partner is least disturbed, and the agent has most
     time to get ready. Tried are the others that one able leaf waits for, and those that it and all to its left do.

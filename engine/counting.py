@@ -83,23 +83,36 @@ class Counting(Levels):
         """The groups of explanations, heaviest first; equal ones in the order of the library."""
         level = self.levels[-1]
         if self._grouped is None or self._grouped[0] is not level:
-            found = [group for plan in level for group in self._groups_of(plan)]
+            least = self._least()
+            found = [group for plan in level for group in self._groups_of(plan, least)]
             self._grouped = level, sorted(found, key=lambda g: (-g.weight, g.plan, g.state[0]))
         return self._grouped[1]
 
-    def _groups_of(self, plan: int) -> Iterator[Group]:
-        weights, price = self._weights[-1], self.noise or 1.0
+    def _groups_of(self, plan: int, least: int) -> Iterator[Group]:
+        weights, prior = self._weights[-1], self.priors[plan]
         for state, number in self.levels[-1][plan].items():
-            _, _, size, missed, needless, _ = state
-            observed = self.explained - needless
-            if observed == 0 < self.explained:
-                continue
-            above, below = self.measure(size, observed, missed)
-            score, ties = above / below if not needless else price**needless * (above / below), number
-            if weights is not None:
-                _, largest, ties = weights[plan][state]
-                score *= largest
-            yield Group(plan, state, number, score, self.priors[plan] * score, ties)
+            if self._observes(state):
+                score, weight, ties = self._score(state, state[4]), self._score(state, state[4] - least), number
+                if weights is not None:
+                    _, largest, ties = weights[plan][state]
+                    score, weight = score * largest, weight * largest
+                yield Group(plan, state, number, score, prior * weight, ties)
+
+    def _observes(self, state: State) -> bool:
+        """Whether the state's explanations take anything for a leaf, or there was nothing to take."""
+        return self.explained > state[4] or not self.explained
+
+    def _score(self, state: State, priced: int) -> float:
+        """Of an explanation that ends here, when so many needless observations cost their price."""
+        above, below = self.measure(state[2], self.explained - state[4], state[3])
+        return above / below if not priced else (self.noise or 1.0) ** priced * (above / below)
+
+    def _least(self) -> int:
+        """The fewest needless observations of an explanation: weights leave out the price that all of them pay."""
+        if self.noise is None:
+            return 0
+        states = (state for found in self.levels[-1].values() for state in found)
+        return min((state[4] for state in states if self._observes(state)), default=0)
 
     @property
     def count(self) -> int:
@@ -108,25 +121,29 @@ class Counting(Levels):
 
     def score_sums(self) -> list[float]:
         """Per plan the sum of the scores of its explanations."""
+        return self._sums(0)
+
+    def _sums(self, least: int) -> list[float]:
+        """Per plan the sum of the scores of its explanations, without the price of so many needless observations."""
         sums = [0.0] * len(self.plans)
         for plan in self.levels[-1]:
-            sums[plan] = self._score_sum(plan)
+            sums[plan] = self._sum(plan, least)
         return sums
 
-    def _score_sum(self, plan: int) -> float:
+    def _sum(self, plan: int, least: int) -> float:
         weights, price = self._weights[-1], self.noise or 1.0
         exact: dict[tuple[int, int], float] = {}  # by (denominator, needless): exact integers, unless weighted
         for state, number in self.levels[-1][plan].items():
-            _, _, size, missed, needless, _ = state
-            if self.explained > needless or not self.explained:
+            if self._observes(state):
+                _, _, size, missed, needless, _ = state
                 above, below = self.measure(size, self.explained - needless, missed)
                 mass = number if weights is None else weights[plan][state][0]
                 exact[below, needless] = exact.get((below, needless), 0) + mass * above
-        return sum((total / below) * price**needless for (below, needless), total in exact.items())
+        return sum((total / below) * price ** (needless - least) for (below, needless), total in exact.items())
 
     def posterior(self) -> dict[str, float]:
         """Each goal's share of the sum of all scores, weighed by its prior."""
-        return posterior_by(self.labels, [p * s for p, s in zip(self.priors, self.score_sums())])
+        return posterior_by(self.labels, [p * s for p, s in zip(self.priors, self._sums(self._least()))])
 
     def standing(self) -> Standing | None:
         """The best explanation and its rivals; None when there is none."""
@@ -137,12 +154,14 @@ class Counting(Levels):
         least = least_tie(top.weight)
         equal = list(takewhile(lambda group: group.weight >= least, groups))
         rivals = sum(group.ties for group in equal if self.labels[group.plan] != label)
-        return Standing(self.count, label, top.missed, rivals, sum(group.ties for group in equal))
+        missed = min(group.missed for group in equal if self.labels[group.plan] == label)
+        return Standing(self.count, label, missed, rivals, sum(group.ties for group in equal))
 
-    def first(self) -> Explanation | None:
-        """The best explanation; None when there is none."""
-        groups = self.groups()
-        return self._told(next(self._paths(groups[0].plan)), self._whole()) if groups else None
+    def first(self, goal: str | None = None) -> Explanation | None:
+        """The best explanation, of all or of one goal; None when there is none."""
+        plans = (group.plan for group in self.groups() if goal is None or self.labels[group.plan] == goal)
+        plan = next(plans, None)
+        return None if plan is None else self._told(next(self._paths(plan)), self._whole())
 
     def explanations(self) -> Iterator[Explanation]:
         """Every explanation, best first, lazily, with its share of all scores."""
@@ -157,8 +176,9 @@ class Counting(Levels):
         return Explanation(self.plans[found.plan], leaves, found.binding, found.score, share, needless)
 
     def _whole(self) -> float:
-        """The sum of all scores, weighed by priors."""
-        return sum(self.priors[plan] * self._score_sum(plan) for plan in self.levels[-1])
+        """The sum of all weights."""
+        least = self._least()
+        return sum(self.priors[plan] * self._sum(plan, least) for plan in self.levels[-1])
 
     def ends(self) -> Iterator[tuple[tuple[tuple[int, int, Binding], ...], float]]:
         """Where explanations end: (plan, mask of closed leaves, binding), and the share of all scores."""
@@ -168,7 +188,7 @@ class Counting(Levels):
             mass = group.weight * group.count
             if weights is not None:
                 total, largest, _ = weights[group.plan][group.state]
-                mass = group.weight / largest * total
+                mass = group.weight / largest * total if largest else 0.0
             yield ((group.plan, group.state[0], group.state[5]),), mass / whole if whole else 0.0
 
     def stream(self) -> Iterator[Found]:
@@ -191,13 +211,8 @@ class Counting(Levels):
 
     def _paths(self, plan: int) -> Iterator[Found]:
         """The explanations of one plan, best first."""
-        price, prior, k = self.noise or 1.0, self.priors[plan], self.explained
-        finals: dict[State, float] = {}
-        for state in self.levels[-1][plan]:
-            _, _, size, missed, needless, _ = state
-            if k > needless or not k:
-                above, below = self.measure(size, k - needless, missed)
-                finals[state] = above / below if not needless else price**needless * (above / below)
+        prior, k, least = self.priors[plan], self.explained, self._least()
+        finals = {s: self._score(s, s[4] - least) for s in self.levels[-1][plan] if self._observes(s)}
         before: dict[int, dict[State, list[tuple[State, int, float]]]] = {}
 
         def back(level: int, state: State) -> Iterable[tuple[State, int, float]]:
@@ -205,8 +220,9 @@ class Counting(Levels):
                 before[level] = self._before(plan, level)
             return before[level][state]
 
-        for score, marks, state in best_first(finals, back, k):
-            yield Found(plan, marks, state[5], score, prior * score)
+        for weight, marks, state in best_first(finals, back, k):
+            likelihood = weight / finals[state] if finals[state] else 0.0
+            yield Found(plan, marks, state[5], self._score(state, state[4]) * likelihood, prior * weight)
 
     def _before(self, plan: int, level: int) -> dict[State, list[tuple[State, int, float]]]:
         """For every state of a level, what led to it."""

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from threading import Lock
 from typing import Any
 
 from casper.engine.matching import Matcher, Mismatch, NameMatcher, ParameterMatcher, bindings_of
@@ -112,15 +113,21 @@ class Domain:
         """
         if not self.library.ways:
             raise PlanError(f"the domain {self.name} has no plans to explain anything with; add them in plans.pl")
+        Options(noise, goals, budget=budget).check()
         key = (policy, verification, noise, goals, score, budget, self.kb.changes)
-        if key not in self._unread:
-            options = Options(noise, goals, self._priors(), score_named(score), budget)
-            matcher = self._matcher(verification)
-            fresh = Reading(self.library, matcher, policy_named(policy), self.capability, options)
-            if len(self._unread) >= MOST_KEPT or any(key[-1] != self.kb.changes for key in self._unread):
-                self._unread.clear()
-            self._unread[key] = fresh
-        return self._unread[key].fork()
+        with self._lock:  # partners may be read in threads of their own
+            if key not in self._unread:
+                options = Options(noise, goals, self._priors(), score_named(score), budget)
+                matcher = self._matcher(verification)
+                fresh = Reading(self.library, matcher, policy_named(policy), self.capability, options)
+                if len(self._unread) >= MOST_KEPT or any(other[-1] != key[-1] for other in self._unread):
+                    self._unread.clear()
+                self._unread[key] = fresh
+            return self._unread[key].fork()
+
+    @cached_property
+    def _lock(self) -> Lock:
+        return Lock()
 
     def _priors(self) -> dict[str, float]:
         places = {clause.head.args: clause.place for clause in self.kb.clauses_of(PRIOR)}
@@ -141,7 +148,7 @@ class Domain:
     def capability(self, situation: Situation, leaf: int, agent: str) -> tuple[Compound, bool]:
         """A leaf's action with every part filled in that can be, and whether the knowledge base lets the agent do it.
 
-        What is closed, and what comes before the leaf, is taken as done by then. A domain that verifies nothing lets
+        What was done, and what comes before the leaf, is taken as done by then. A domain that verifies nothing lets
         nobody do anything.
         """
         plan = situation.plan
@@ -151,7 +158,7 @@ class Domain:
         settled = settle(self.kb, plan, binding) if self.kb.defines(*GOAL) else binding
         known = bindings_of(plan, binding if isinstance(settled, Mismatch) else settled)
         actions = [substitute(action, known) for action in plan.leaves]
-        done = situation.closed | plan.chart.before[leaf]
+        done = situation.done | plan.chart.before[leaf] & situation.belonging
         earlier = [action for at, action in enumerate(actions) if done >> at & 1]
         history = [(Compound((a.functor, self.partner, *a.args)), float(t)) for t, a in enumerate(earlier)]
         action = actions[leaf]

@@ -51,7 +51,8 @@ class Explanation:
     @cached_property
     def situation(self) -> Situation:
         """Where the plan stands by this explanation."""
-        return Situation(self.plan, self._reached[0], self.binding)
+        closed, belonging = self._reached
+        return Situation(self.plan, closed, self.binding, closed & belonging)
 
     @property
     def leaves(self) -> tuple[Compound, ...]:

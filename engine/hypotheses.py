@@ -22,6 +22,7 @@ Part: TypeAlias = tuple[int, State]  # plan, and where it stands
 Hypothesis: TypeAlias = tuple[tuple[Part, ...], int]  # the goals pursued, in the order of the library; needless ones
 Mark: TypeAlias = tuple[int, int]  # plan and leaf; (NEEDLESS, NEEDLESS)
 Move: TypeAlias = tuple[int, State, float]  # leaf, state after, likelihood
+Begun: TypeAlias = tuple[int, int, State, float]  # plan, and its first move
 Counts: TypeAlias = dict[Hypothesis, int]
 Trail: TypeAlias = dict[Hypothesis, list[tuple[Hypothesis, Mark, float]]]
 
@@ -58,11 +59,13 @@ class Hypotheses:
         self._holders: dict[str, list[tuple[int, list[int]]]] = {}  # by action: plans and their leaves of that name
         self._starts: dict[int, State] = {}
         self.observations: list[Seen] = []
-        self.mismatches: list[dict[int, list[Mismatch]]] = [{}]
+        self._noted: dict[int, list[Mismatch]] = {}
+        self.mismatches = [self._noted]
         self._levels: list[Counts] = [{((), 0): 1}]
         self._trails: list[Trail] = []
         self._weights: list[dict[Hypothesis, Weight] | None] = [None]
         self._exact = [True]
+        self._is_exact = True  # whether the observation that is taken in just now dropped nothing
         for number, plan in enumerate(plans):
             binding = matcher.initial(number)
             if isinstance(binding, Mismatch):
@@ -76,23 +79,23 @@ class Hypotheses:
 
     def observe(self, seen: Seen) -> None:
         """Advance every hypothesis by one observation."""
-        self.mismatches.append({})
-        certain = is_certain(seen)
+        self._noted, self._is_exact = {}, True
+        certain, k = is_certain(seen), len(self.observations) + 1
         trail = self._trail(options_of(seen))
         counts = {after: sum(self._levels[-1][before] for before, _, _ in steps) for after, steps in trail.items()}
-        self.observations.append(seen)
-        self.matcher.observed(options_of(seen)[0][0] if certain else Observation(seen.action))
         weights = self._weighed(trail, certain)
-        exact = self._exact[-1]
         if len(counts) > self.budget:
-            kept = nlargest(self.budget, counts, key=lambda h: self._promise(h, weights))
+            self._is_exact = False
+            kept = nlargest(self.budget, counts, key=lambda h: self._promise(h, k, weights))
             counts = {hypothesis: counts[hypothesis] for hypothesis in kept}
             trail = {hypothesis: trail[hypothesis] for hypothesis in kept}
-            exact = False
+        self.mismatches.append(self._noted)  # from here on nothing can go wrong: an observation is taken in or not
         self._levels.append(counts)
         self._trails.append(trail)
         self._weights.append(weights)
-        self._exact.append(exact)
+        self._exact.append(self._exact[-1] and self._is_exact)
+        self.observations.append(seen)
+        self.matcher.observed(options_of(seen)[0][0] if certain else Observation(seen.action))
 
     def _trail(self, options: Iterable[tuple[Observation, float]]) -> Trail:
         """The hypotheses that follow, each with what leads there."""
@@ -110,6 +113,7 @@ class Hypotheses:
                 moves[part] = list(self._moves(part, by_plan.get(part[0], ()), matched))
             return moves[part]
 
+        begun = self._begun([(number, *move) for number in by_plan for move in onward((number, self._starts[number]))])
         for before in self._levels[-1]:
             parts, needless = before
             for at, part in enumerate(parts):
@@ -118,14 +122,21 @@ class Hypotheses:
                     trail.setdefault(after, []).append((before, (part[0], leaf), likelihood))
             if len(parts) < self.goals:
                 taken = {self.labels[number] for number, _ in parts}
-                for number in by_plan:
+                for number, leaf, state, likelihood in begun:
                     if self.labels[number] not in taken:
-                        for leaf, state, likelihood in onward((number, self._starts[number])):
-                            after = (_with(parts, (number, state)), needless)
-                            trail.setdefault(after, []).append((before, (number, leaf), likelihood))
+                        after = (_with(parts, (number, state)), needless)
+                        trail.setdefault(after, []).append((before, (number, leaf), likelihood))
             if self.noise is not None:
                 trail.setdefault((parts, needless + 1), []).append((before, (NEEDLESS, NEEDLESS), 1.0))
         return trail
+
+    def _begun(self, begun: list[Begun]) -> list[Begun]:
+        """Goals that may be begun; those that miss least, where there are too many to try with every hypothesis."""
+        room = max(1, 4 * self.budget // max(1, len(self._levels[-1])))
+        if len(begun) <= room:
+            return begun
+        self._is_exact = False
+        return sorted(begun, key=lambda found: found[2][3])[:room]
 
     def _moves(
         self,
@@ -165,7 +176,7 @@ class Hypotheses:
             weighed[after] = (total, best, equal)
         return weighed
 
-    def _promise(self, hypothesis: Hypothesis, weights: dict[Hypothesis, Weight] | None) -> tuple[int, float]:
+    def _promise(self, hypothesis: Hypothesis, k: int, weights: dict[Hypothesis, Weight] | None) -> tuple[int, float]:
         """What is kept when not all can be: what needs fewest goals, misses and needless observations, then the score.
 
         The score alone prefers few goals while little was observed, and drops what turns out to be true.
@@ -173,7 +184,7 @@ class Hypotheses:
         parts, needless = hypothesis
         likelihood = weights[hypothesis][1] if weights is not None else 1.0
         price = len(parts) + needless + sum(state[3] for _, state in parts)
-        return -price, self._score(hypothesis) * self._prior(hypothesis) * likelihood
+        return -price, self._score(hypothesis, k, needless) * self._prior(hypothesis) * likelihood
 
     def undo(self) -> None:
         """Take back the last observation."""
@@ -191,21 +202,24 @@ class Hypotheses:
         return other
 
     def _note(self, plan: int, mismatch: Mismatch) -> None:
-        self.mismatches[-1].setdefault(plan, []).append(mismatch)
+        self._noted.setdefault(plan, []).append(mismatch)
 
     @property
     def is_exact(self) -> bool:
         """Whether no hypothesis was dropped so far."""
         return self._exact[-1]
 
-    def _score(self, hypothesis: Hypothesis) -> float:
-        """Of an explanation that ends here: its score; 0 where everything is needless."""
+    def _score(self, hypothesis: Hypothesis, k: int, priced: int) -> float:
+        """Of an explanation of k observations that ends here: its score; 0 where everything is needless.
+
+        ``priced`` is how many of the needless observations cost their price.
+        """
         parts, needless = hypothesis
         if not parts:
             return 0.0
         size, missed = sum(state[2] for _, state in parts), sum(state[3] for _, state in parts)
-        above, below = self.measure(size, len(self.observations) - needless, missed)
-        return above / below if not needless else (self.noise or 1.0) ** needless * (above / below)
+        above, below = self.measure(size, k - needless, missed)
+        return above / below if not priced else (self.noise or 1.0) ** priced * (above / below)
 
     def _prior(self, hypothesis: Hypothesis) -> float:
         return prod(self.priors[plan] for plan, _ in hypothesis[0])

@@ -40,21 +40,28 @@ class Interleaving(Hypotheses):
         return {plan for parts, _ in self._levels[level] for plan, _ in parts}
 
     def _hypotheses(self) -> list[tuple[float, Hypothesis]]:
-        """Weight (score and priors, of certain observations) and hypothesis, the best first."""
-        level = self._levels[-1]
+        """Weight and hypothesis, the best first. A price that all pay is left out of the weights (`_least`)."""
+        level, weights = self._levels[-1], self._weights[-1]
         if self._scored is None or self._scored[0] is not level:
-            found = [(self._score(h) * self._prior(h), h) for h in self._levels[-1] if h[0]]
-            if self._weights[-1] is not None:
-                found = [(weight * self._weights[-1][h][1], h) for weight, h in found]
+            k, least = len(self.observations), self._least()
+            found = [(self._score(h, k, h[1] - least) * self._prior(h), h) for h in level if h[0]]
+            if weights is not None:
+                found = [(weight * weights[h][1], h) for weight, h in found]
             self._scored = level, sorted(found, key=lambda pair: (-pair[0], [plan for plan, _ in pair[1][0]]))
         return self._scored[1]
+
+    def _least(self) -> int:
+        """The fewest needless observations of an explanation: all others have at least as many."""
+        if self.noise is None:
+            return 0
+        return min((needless for parts, needless in self._levels[-1] if parts), default=0)
 
     def _masses(self) -> Iterator[tuple[Hypothesis, float]]:
         weights = self._weights[-1]
         for weight, h in self._hypotheses():
             if weights is None:
                 yield h, weight * self._levels[-1][h]
-            else:
+            elif weights[h][1]:
                 yield h, weight / weights[h][1] * weights[h][0]
 
     def posterior(self) -> Mapping[str, float]:
@@ -79,7 +86,8 @@ class Interleaving(Hypotheses):
             number = self._levels[-1][h] if weights is None else weights[h][2]
             ties += number
             rivals += number if self._goals(h[0]) != goals else 0
-        missed = sum(state[3] for _, state in parts)
+        equal = takewhile(lambda pair: pair[0] >= least, found)
+        missed = min(sum(state[3] for _, state in h[0]) for _, h in equal if self._goals(h[0]) == goals)
         return Standing(self.count, " + ".join(goals), missed, rivals, ties)
 
     def _goals(self, parts: tuple[Part, ...]) -> tuple[str, ...]:
@@ -92,12 +100,15 @@ class Interleaving(Hypotheses):
         for (parts, _), mass in masses:
             yield tuple((plan, state[0], state[5]) for plan, state in parts), mass / whole if whole else 0.0
 
-    def first(self) -> Interleaved | None:
-        """The best explanation; None when there is none."""
-        return next(self.explanations(), None)
+    def first(self, goal: str | None = None) -> Interleaved | None:
+        """The best explanation, of all or of a goal (goals pursued together are joined by " + "); None for none."""
+        return next(self._told_of(goal), None)
 
     def explanations(self) -> Iterator[Interleaved]:
         """Every explanation, best first, lazily."""
+        return self._told_of(None)
+
+    def _told_of(self, goal: str | None) -> Iterator[Interleaved]:
         whole = sum(mass for _, mass in self._masses())
         steps = len(self.observations)
 
@@ -105,24 +116,26 @@ class Interleaving(Hypotheses):
             kept = self._levels[level - 1]
             return [step for step in self._trails[level - 1][hypothesis] if step[0] in kept]
 
-        for finals in self._batches():
-            for weight, marks, (parts, _) in best_first(finals, back, steps):
-                share = weight / whole if whole else 0.0
-                yield self._told(parts, marks, weight, share)
+        for finals in self._batches(goal):
+            for weight, marks, hypothesis in best_first(finals, back, steps):
+                yield self._told(hypothesis, marks, weight / finals[hypothesis], weight / whole if whole else 0.0)
 
-    def _batches(self) -> Iterator[dict[Hypothesis, float]]:
+    def _batches(self, goal: str | None) -> Iterator[dict[Hypothesis, float]]:
         """Final hypotheses with their weights: one weight after the other, or all where paths weigh differently."""
+        found = [(w, h) for w, h in self._hypotheses() if goal is None or " + ".join(self._goals(h[0])) == goal]
         if self._weights[-1] is not None:
-            yield {h: self._score(h) * self._prior(h) for _, h in self._hypotheses()}
+            k, least = len(self.observations), self._least()
+            yield {h: self._score(h, k, h[1] - least) * self._prior(h) for _, h in found}
             return
-        for weight, group in groupby(self._hypotheses(), key=lambda pair: pair[0]):
+        for weight, group in groupby(found, key=lambda pair: pair[0]):
             yield {h: weight for _, h in group}
 
-    def _told(self, parts: tuple[Part, ...], marks: Sequence[Mark], weight: float, share: float) -> Interleaved:
-        score = weight / self._prior((parts, 0))
+    def _told(self, hypothesis: Hypothesis, marks: Sequence[Mark], likelihood: float, share: float) -> Interleaved:
+        parts, needless = hypothesis
+        score = self._score(hypothesis, len(self.observations), needless) * likelihood
         told = tuple(
             Explanation(self.plans[plan], tuple(leaf for p, leaf in marks if p == plan), state[5], score, share)
             for plan, state in parts
         )
-        needless = tuple(at for at, (plan, _) in enumerate(marks) if plan == NEEDLESS)
-        return Interleaved(told, score, share, needless)
+        unused = tuple(at for at, (plan, _) in enumerate(marks) if plan == NEEDLESS)
+        return Interleaved(told, score, share, unused)

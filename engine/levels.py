@@ -44,7 +44,8 @@ class Levels:
         self.charts = [plan.chart for plan in plans]
         self._positions = [positions_of(plan) for plan in plans]
         self.observations: list[Seen] = []
-        self.mismatches: list[dict[int, list[Mismatch]]] = [{}]  # after each observation, by plan: why it was cut
+        self._noted: dict[int, list[Mismatch]] = {}
+        self.mismatches = [self._noted]  # after each observation, by plan: why it was cut
         self.levels: list[dict[int, Level]] = [{}]
         self._edges: list[dict[int, Edges]] = []
         self._weights: list[dict[int, dict[State, Weight]] | None] = [None]
@@ -64,16 +65,18 @@ class Levels:
         options, noisy = options_of(seen), self.noise is not None
         level: dict[int, Level] = {}
         edges: dict[int, Edges] = {}
-        self.mismatches.append({})
+        self._noted = {}
         for plan, before in self.levels[-1].items():
             matched = self._matched(plan, before, options)
             advanced = advance(self.charts[plan], before, matched, noisy) if matched or noisy else None
             if advanced:
                 edges[plan], level[plan] = matched, advanced
         exact = sum(map(len, level.values())) <= self.budget
+        weighed, level = self._weighed(edges, is_certain(seen)), level if exact else self._pruned(level)
+        self.mismatches.append(self._noted)  # from here on nothing can go wrong: an observation is taken in or not
         self._exact.append(exact and self._exact[-1])
-        self._weights.append(self._weighed(edges, is_certain(seen)))
-        self.levels.append(level if exact else self._pruned(level))
+        self._weights.append(weighed)
+        self.levels.append(level)
         self._edges.append(edges)
         self.observations.append(seen)
         self.matcher.observed(options[0][0] if is_certain(seen) else Observation(seen.action))
@@ -140,7 +143,7 @@ class Levels:
         return weighed
 
     def _note(self, plan: int, mismatch: Mismatch) -> None:
-        self.mismatches[-1].setdefault(plan, []).append(mismatch)
+        self._noted.setdefault(plan, []).append(mismatch)
 
 
 def is_certain(seen: Seen) -> bool:

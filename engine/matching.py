@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
 from casper.engine.observation import Observation
-from casper.kb.terms import Bindings, Compound, Term, Variable, is_ground, substitute, unify
+from casper.kb.terms import Bindings, Compound, Term, Variable, is_ground, renamed, substitute, unify
 from casper.kb.writer import term_text
 from casper.plans.plan import Plan
 
@@ -166,7 +166,7 @@ def filled(slots: Sequence[Slot], values: Sequence[Term], binding: Binding) -> B
 
 def unified(plan: Plan, leaf: int, observation: Observation, binding: Binding) -> Binding | None:
     """The binding after the observation was unified with the leaf; None where they clash."""
-    seen = Compound((observation.action, *_apart(observation.args or ())))
+    seen = Compound((observation.action, *renamed(observation.args or (), -1)))  # its variables are no plan's
     bindings = unify(plan.leaves[leaf], seen, bindings_of(plan, binding))
     return None if bindings is None else binding_of(plan, bindings)
 
@@ -180,11 +180,6 @@ def binding_of(plan: Plan, bindings: Bindings) -> Binding:
     """What a substitution says of the plan's parameters."""
     values = (substitute(variable, bindings) for variable in plan.variables)
     return tuple(value if is_ground(value) else None for value in values)
-
-
-def _apart(args: Sequence[Term]) -> list[Term]:
-    """An observation's unknown arguments as variables that are no plan's."""
-    return [Variable(f"_seen{at}", -1) if isinstance(arg, Variable) else arg for at, arg in enumerate(args)]
 
 
 def _conflict(plan: Plan, wanted: Compound, seen: Compound, known: Bindings) -> str:

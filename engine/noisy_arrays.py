@@ -5,15 +5,16 @@ changes D on the leaves named o only, an observation that is needless changes no
 
     D'[q, j] = D[q, j] + d[q, j]        d[q, j] = [q = 1] + sum of D[q - 1, i] over the leaves i < j of j's plan
 
-With k observations, n leaves in the plan and r of them right of j each of them weighs prior * W[q, j], where
+With n leaves in the plan, r of them right of j, and m the most observations that any explanation marks (all take the
+others for needless, so their price is left out) each of them weighs prior * W[q, j], where
 
-    W[q, j] = noise^(k - q) * q (r + q) / n^2        mass' = noise * mass + sum of d[q, j] W[q, j]
+    W[q, j] = noise^(m - q) * q (r + q) / n^2        mass' = noise^(m' - m) * mass + sum of d[q, j] W[q, j]
 
-and mass is a plan's sum of scores. Of the explanations that end in j the best marks most: W grows with q, and
+and mass is a plan's sum of such scores. Of the explanations that end in j the best marks most: W grows with q, and
 D[q, j] > 0 follows from D[q + 1, j] > 0 (mark one less, at the beginning). So what is best can only change on the
 leaves named o. Those close to the best are kept from one observation to the next, since a leaf that is left behind can
 only catch up by a mark; among them floats decide, computed as `engine.counting` does. Counts, the best explanation and
-ties are exact, sums of scores agree to a relative 1e-12 (where noise^k is a normal float).
+ties are exact, sums of scores agree to a relative 1e-12.
 `casper.engine.blocks` does the sums.
 """
 
@@ -34,10 +35,12 @@ from casper.engine.observation import Seen
 from casper.engine.policy import Standing
 from casper.engine.replay import Replay
 from casper.engine.scoring import least_tie
+from casper.engine.states import NEEDLESS
+from casper.engine.tracing import first_marks
 from casper.plans.plan import Plan
 
+TINY = 1e-290
 CLOSE = 1 - 1e-9  # weights this near to the best may be equal to it as floats, now or later
-TINY = 1e-290  # so may any weights that nearly underflow: below this all ends are looked at
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +59,7 @@ class Level:
 
     counts: dict[str, Array]  # by name seen so far: D on its leaves. Shape (marked, leaves of the name)
     count: int
+    most: int  # observations that an explanation marks: weights leave out the price of those that all take for needless
     mass: Array  # by column
     best: Ends  # nearly or quite
 
@@ -87,23 +91,24 @@ class NoisyArrays(Replay):
         self._prior = np.array(self.priors)[self._layout.order]
         self._powers = np.ones(1)
         none = np.zeros(0, np.int64)
-        self._levels = [Level({}, 0, np.zeros(len(plans)), Ends(none, none, none.astype(np.uint16), np.zeros(0)))]
+        self._levels = [Level({}, 0, 0, np.zeros(len(plans)), Ends(none, none, none.astype(np.uint16), np.zeros(0)))]
 
     # --- observing -------------------------------------------------------------------------------------------------
 
     def observe(self, seen: Seen) -> None:
         """Advance every plan that has the action; all others take it for needless."""
-        self.observations.append(seen)
         before, here = self._levels[-1], self._layout.leaves(seen.action)
-        counts = self._table.following(before.counts, here, len(self.observations))
+        counts = self._table.following(before.counts, here, len(self.observations) + 1)
         count = before.count + _exactly(self.np, counts)
-        mass = self.noise * before.mass + self._mass(here, counts)
+        most = max(before.most, len(counts))
+        mass = self.noise ** (most - before.most) * before.mass + self._mass(here, counts, most)
         marked = _marked(self.np, counts)
         if seen.action in before.counts:
             earlier = before.counts[seen.action]
             counts[: len(earlier)] += earlier
-        best = self._best(before.best, here, marked, counts)
-        self._levels.append(Level({**before.counts, seen.action: counts}, count, mass, best))
+        best = self._best(before.best, here, marked, counts, most)
+        self._levels.append(Level({**before.counts, seen.action: counts}, count, most, mass, best))
+        self.observations.append(seen)
 
     def undo(self) -> None:
         """Take back the last observation."""
@@ -117,35 +122,34 @@ class NoisyArrays(Replay):
         other._levels = list(self._levels)
         return other
 
-    def _mass(self, here: Leaves, counts: Array) -> Array:
+    def _mass(self, here: Leaves, counts: Array, most: int) -> Array:
         """Sums of scores by column, of so many explanations that end in leaves of one name."""
         q = self.np.arange(1, len(counts) + 1)
-        price = self._prices(q)
+        price = self._prices(q, most)
         once, twice = self.np.stack((price * q, price * q * q)) @ counts.astype(float)
         return self.np.bincount(here.column, (once * here.right + twice) / here.square, len(self.plans))
 
-    def _prices(self, marked: Array) -> Array:
-        """What the needless observations cost where so many were marked."""
-        k = len(self.observations)
-        if len(self._powers) <= k:
-            self._powers = self.np.array([self.noise**needless for needless in range(2 * k + 8)], float)
-        return self._powers.take(k - marked)
+    def _prices(self, marked: Array, most: int) -> Array:
+        """What the needless observations cost where so many were marked, but for those that all take for needless."""
+        if len(self._powers) <= most:
+            self._powers = self.np.array([self.noise**needless for needless in range(2 * most + 8)], float)
+        return self._powers.take(most - marked)
 
-    def _weights(self, column: Array, right: Array, square: Array, marked: Array) -> Array:
-        scores = self._prices(marked) * (marked * (right + marked) / square)
+    def _weights(self, column: Array, right: Array, square: Array, marked: Array, most: int) -> Array:
+        scores = self._prices(marked, most) * (marked * (right + marked) / square)
         return scores if self.evenly else self._prior.take(column) * scores
 
-    def _weights_at(self, at: Array, marked: Array) -> Array:
+    def _weights_at(self, at: Array, marked: Array, most: int) -> Array:
         column, place = self._layout.find(at)
         lengths = self._layout.lengths[column]
-        return self._weights(column, lengths - place - 1, lengths * lengths, marked)
+        return self._weights(column, lengths - place - 1, lengths * lengths, marked, most)
 
-    def _best(self, before: Ends, here: Leaves, marked: Array, counts: Array) -> Ends:
+    def _best(self, before: Ends, here: Leaves, marked: Array, counts: Array, most: int) -> Ends:
         """The ends close to the best: of those before where nothing was marked, and of the leaves of this name."""
         np = self.np
-        new = self._weights(here.column, here.right, here.square, marked)
+        new = self._weights(here.column, here.right, here.square, marked, most)
         stay = np.flatnonzero(self._layout.codes[before.at] != here.code)
-        old = self._weights_at(before.at[stay], before.marked[stay])
+        old = self._weights_at(before.at[stay], before.marked[stay], most)
         least = CLOSE * max(new.max(initial=0.0), old.max(initial=0.0))
         kept, added = np.flatnonzero(old >= least), np.flatnonzero(new >= least)
         parts = (
@@ -172,13 +176,13 @@ class NoisyArrays(Replay):
 
     def score_sums(self) -> list[float]:
         """Per plan the sum of the scores of its explanations."""
-        sums = self.np.empty(len(self.plans))
-        sums[self._layout.order] = self._levels[-1].mass
+        sums, level = self.np.empty(len(self.plans)), self._levels[-1]
+        sums[self._layout.order] = level.mass * self.noise ** (len(self.observations) - level.most)
         found: list[float] = sums.tolist()
         return found
 
     def total(self) -> float:
-        """The sum of all scores, weighed by priors."""
+        """The sum of all weights."""
         return float((self._levels[-1].mass * self._prior).sum())
 
     def posterior(self) -> Mapping[str, float]:
@@ -196,7 +200,8 @@ class NoisyArrays(Replay):
             if furthest:
                 marks, leaves = _marked(np, counts) - 1, np.arange(counts.shape[1])
             at = self._layout.leaves(name).at[leaves]
-            parts.append(Ends(at, marks + 1, counts[marks, leaves], self._weights_at(at, marks + 1)))
+            weights = self._weights_at(at, marks + 1, self._levels[-1].most)
+            parts.append(Ends(at, marks + 1, counts[marks, leaves], weights))
         return Ends(*(np.concatenate([getattr(part, name) for part in parts]) for name in Ends.__slots__))
 
     def _plans(self, ends: Ends) -> tuple[Array, Array]:
@@ -209,8 +214,6 @@ class NoisyArrays(Replay):
         np, ends = self.np, self._levels[-1].best
         if not len(ends.at):
             return None
-        if ends.weight.max() < TINY:
-            ends = self._ends()
         top = ends.weight.max()
         ties = np.flatnonzero(ends.weight >= least_tie(top))
         ends = Ends(ends.at[ties], ends.marked[ties], ends.number[ties], ends.weight[ties])
@@ -275,9 +278,19 @@ class NoisyArrays(Replay):
             counting.observe(seen)
         return counting
 
-    def first(self) -> Explanation | None:
-        """The best explanation; None when there is none."""
-        return next(self.explanations(), None)
+    def first(self, goal: str | None = None) -> Explanation | None:
+        """The best explanation, of all or of one goal; None when there is none."""
+        if goal is not None:
+            return self.first_of(goal)
+        leading = self._leading()
+        if leading is None:
+            return None
+        ends, first = leading
+        plan, leaf = self._plans(ends)
+        equal = self.np.flatnonzero((plan == plan[first]) & (ends.weight == ends.weight[first])).tolist()
+        names, seen = [leaf[0] for leaf in self.plans[plan[first]].leaves], [seen.action for seen in self.observations]
+        marks = min(first_marks(names, seen, int(leaf[at]), int(ends.marked[at])) for at in equal)
+        return self._explanation(int(plan[first]), marks, self.total())
 
     def explanations(self) -> Iterator[Explanation]:
         """Every explanation, best first, lazily: by weight, then plan, then marked leaves."""
@@ -285,16 +298,16 @@ class NoisyArrays(Replay):
         if best is None:
             return
         whole, heap = self.total(), list[Any]()
-        rest = self._listed(best[1], whole)
+        rest = self._alone(best[1], whole)
         yield next(rest)
         self._go_on(heap, best[1], rest)
         for weight, plan in chain(self._others(best[1]), [(-1.0, 0)]):  # nothing weighs as little as the last
-            while heap and heap[0][:2] < (-weight, plan):
+            while heap and heap[0][:2] < (-weight / whole, plan):
                 _, number, _, found, rest = heappop(heap)
                 yield found
                 self._go_on(heap, number, rest)
             if weight >= 0:
-                self._go_on(heap, plan, self._listed(plan, whole))
+                self._go_on(heap, plan, self._alone(plan, whole))
 
     def _others(self, best: int) -> Iterator[tuple[float, int]]:
         """All plans but one with the weights of their best explanations, best first; sorted only when asked for."""
@@ -304,12 +317,21 @@ class NoisyArrays(Replay):
         order = self.np.argsort(-weights, kind="stable")[: int((weights >= 0).sum())]
         return zip(weights[order].tolist(), order.tolist())
 
-    def _listed(self, plan: int, whole: float) -> Iterator[Explanation]:
+    def _alone(self, plan: int, whole: float) -> Iterator[Explanation]:
         """The explanations of one plan, best first."""
         alone = (self.plans[plan],)
-        for found in self._counted(alone, NameMatcher(alone)).explanations():
-            share = self.priors[plan] * found.score / whole if whole else 0.0
-            yield Explanation(found.plan, found.marks, self._binding(plan), found.score, share, found.needless)
+        for found in self._counted(alone, NameMatcher(alone)).stream():
+            yield self._explanation(plan, found.marks, whole)
+
+    def _explanation(self, plan: int, marks: tuple[int, ...], whole: float) -> Explanation:
+        leaves = tuple(leaf for leaf in marks if leaf != NEEDLESS)
+        needless = tuple(at for at, leaf in enumerate(marks) if leaf == NEEDLESS)
+        marked, length = len(leaves), len(self.plans[plan].leaves)
+        score = marked * (length - leaves[-1] - 1 + marked) / (length * length)
+        weight = self.priors[plan] * (self.noise ** (self._levels[-1].most - marked) * score)
+        share = weight / whole if whole else 0.0
+        priced = self.noise ** len(needless) * score if needless else score
+        return Explanation(self.plans[plan], leaves, self._binding(plan), priced, share, needless)
 
 
 def _marked(np: Any, counts: Array) -> Array:

@@ -15,7 +15,7 @@ from casper.engine.recognisers import Recogniser
 from casper.engine.situation import Situation
 from casper.kb.terms import Compound, as_term
 from casper.kb.writer import term_text
-from casper.plans.chart import bits
+from casper.plans.chart import bits, union
 from casper.plans.plan import Plan
 
 
@@ -32,15 +32,17 @@ class Outlook:
         self._known: dict[tuple[int, Binding], tuple[Compound, ...]] = {}
 
     def next_actions(self) -> dict[str | None, float]:
-        """The probability of each action to be the next one of a plan; None: all plans pursued are complete.
+        """The probability of each action to be the next one of a plan; None: all plans pursued are complete, or may be.
 
         Where a plan leaves open what comes next, its explanations' share is split evenly.
         """
         found: dict[str | None, float] = {}
         for parts, share in self.engine.ends():
             candidates: list[str | None] = [shown(action) for part in parts for action in self.next(*part)]
-            for action in candidates or [None]:
-                found[action] = found.get(action, 0.0) + share / max(len(candidates), 1)
+            if not any(self._situation(*part).belonging for part in parts):
+                candidates.append(None)  # what is left may be left out
+            for action in candidates:
+                found[action] = found.get(action, 0.0) + share / len(candidates)
         return _falling(found)
 
     def frontiers(self) -> dict[tuple[Compound, ...], float]:
@@ -64,13 +66,13 @@ class Outlook:
         return _falling(found)
 
     def _situation(self, plan: int, closed: int, binding: Binding) -> Situation:
-        return Situation(self.plans[plan], closed, binding)
+        return Situation.of(self.plans[plan], closed, binding)
 
     def _actions(self, plan: int, binding: Binding) -> tuple[Compound, ...]:
         """The plan's actions with what is known of their parameters; made once, however many explanations end there."""
         found = self._known.get((plan, binding))
         if found is None:
-            found = self._known[plan, binding] = Situation(self.plans[plan], 0, binding).leaves
+            found = self._known[plan, binding] = Situation.of(self.plans[plan], 0, binding).leaves
         return found
 
     def next(self, plan: int, closed: int, binding: Binding) -> Iterator[Compound]:
@@ -84,9 +86,19 @@ class Outlook:
         return tuple(actions[leaf] for leaf in self.plans[plan].chart.coming_leaves(closed))
 
     def done(self, plan: int, closed: int, binding: Binding) -> Iterator[Compound]:
-        """What was observed, or missed and so done unseen; not what was passed over."""
+        """What was observed, or missed and so done unseen; of parts that may be left out nothing is told."""
         actions = self._actions(plan, binding)
         return (actions[leaf] for leaf in bits(closed & self.plans[plan].chart.mandatory))
+
+    def unsure(self, plan: int, closed: int, binding: Binding) -> Iterator[tuple[bool, Compound]]:
+        """What may or may not be done, or have been: (whether it is over, action)."""
+        actions, chart = self._actions(plan, binding), self.plans[plan].chart
+        if chart.parts:
+            sure = union(chart.parts[at].own for at in bits(chart.entered(closed))) | chart.mandatory
+            for leaf, action in enumerate(actions):
+                over = closed >> leaf & 1
+                if not (chart.mandatory if over else sure) >> leaf & 1:
+                    yield bool(over), action
 
 
 @lru_cache(maxsize=65_536)

@@ -242,12 +242,15 @@ class Pairs:
         plan = int(self.plan[state])
         return plan, (1 << state - int(self.begin[plan])) - 1, self.single._binding(plan)
 
-    def first(self) -> Interleaved | None:
-        """The best explanation; None when there is none."""
-        return next(self.explanations(), None)
+    def first(self, goal: str | None = None) -> Interleaved | None:
+        """The best explanation, of all or of a goal (goals pursued together are joined by " + "); None for none."""
+        return next(self._told(goal), None)
 
     def explanations(self) -> Iterator[Interleaved]:
         """Every explanation, best first, lazily."""
+        return self._told(None)
+
+    def _told(self, goal: str | None) -> Iterator[Interleaved]:
         whole, order = self.total(), count()
         heap: list[tuple[float, tuple[int, ...], int, Interleaved | None, Iterator[Interleaved]]] = []
         best = self._best_pairs()
@@ -255,6 +258,8 @@ class Pairs:
             heap.append((-float(best[p, q]), (p, q), next(order), None, self._together((p, q), whole)))
         for weight, plan, _, _ in self.single.tops():
             heap.append((-weight, (plan,), next(order), None, self._together((plan,), whole)))
+        if goal is not None:
+            heap = [entry for entry in heap if " + ".join(self._goals(entry[1])) == goal]
         heapify(heap)
         while heap:
             _, plans, _, found, rest = heappop(heap)

@@ -39,8 +39,12 @@ class Question:
 
 
 def questions(outlook: Outlook) -> list[Question]:
-    """What to find out, most telling first: about goals, steps done or still to come, and the next action."""
+    """What to find out, most telling first: about goals, steps done or still to come, and the next action.
+
+    Nothing is asked of which the explanations do not know the answer: of steps that may be left out.
+    """
     goals: dict[str, float] = {}
+    unsure: set[tuple[Kind, str]] = set()
     told: dict[tuple[Kind, str], dict[str, float]] = {}  # by question: the share of yes, by goal
     for parts, share in outlook.engine.ends():
         pursued = " + ".join(outlook.plans[part[0]].label for part in parts)
@@ -48,8 +52,10 @@ def questions(outlook: Outlook) -> list[Question]:
         for question, part_of_it in _answered(outlook, parts).items():
             by_goal = told.setdefault(question, {})
             by_goal[pursued] = by_goal.get(pursued, 0.0) + share * part_of_it
+        for part in parts:
+            unsure.update(("done" if over else "step", shown(action)) for over, action in outlook.unsure(*part))
     before = _Uncertainty(goals)
-    found = [before.asked(kind, about, yes) for (kind, about), yes in told.items()]
+    found = [before.asked(*question, yes) for question, yes in told.items() if question not in unsure]
     order = {"goal": 0, "done": 1, "step": 2, "next": 3}
     return sorted(found, key=lambda q: (-round(q.gain, 12), order[q.kind], q.about))
 

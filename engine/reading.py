@@ -27,6 +27,9 @@ from casper.kb.terms import Compound, as_term
 from casper.kb.writer import term_text
 from casper.plans.library import PlanLibrary
 
+WEIGHABLE = 300  # observations up to which there are not too many explanations to be weighed
+MOST_BITS = 1000  # of a count that floats can weigh
+
 
 class Reading:
     """Explanations of a growing list of observations.
@@ -70,7 +73,7 @@ class Reading:
 
         Raises:
             ReadError, PlanError: the text is no action, or no plan has it.
-            CasperError: likelihoods that are none.
+            CasperError: likelihoods that are none, or more explanations than can be weighed.
         """
         seen = self._seen(observed)
         if isinstance(seen, Uncertain) and isinstance(self._engine, Replay):
@@ -78,6 +81,9 @@ class Reading:
         elif isinstance(seen, Uncertain) and isinstance(self._engine, Pairs):
             self._engine = self._engine.interleaving()
         self._engine.observe(seen)
+        if len(self._engine.observations) > WEIGHABLE and self._engine.count.bit_length() > MOST_BITS:
+            self._engine.undo()
+            raise CasperError(f"after {seen} there are more explanations than can be weighed, over 10^300")
 
     def _seen(self, observed: Observed) -> Seen:
         if not isinstance(observed, str):
@@ -120,7 +126,7 @@ class Reading:
     @property
     def posterior(self) -> Mapping[str, float]:
         """Each goal's share of the sum of all scores; before anything is seen, and after nonsense, all zero."""
-        return self._engine.posterior()
+        return self._engine.posterior() if self._engine.observations else dict.fromkeys(self._numbers, 0.0)
 
     @property
     def confidence(self) -> float:
@@ -145,6 +151,10 @@ class Reading:
         """The best explanation; None when there is none."""
         return self._engine.first() if self._engine.observations else None
 
+    def best_of(self, goal: str) -> Explanation | Interleaved | None:
+        """The best explanation of a goal; None when there is none. Goals pursued together are joined by " + "."""
+        return self._engine.first(goal) if self._engine.observations else None
+
     def explanations(self) -> Iterator[Explanation | Interleaved]:
         """Every explanation, best first, lazily."""
         return self._engine.explanations() if self.observations else iter(())
@@ -159,7 +169,7 @@ class Reading:
         if count == 1:
             best = self.first
             return [] if best is None else [best]
-        return list(islice(self.explanations(), count))
+        return list(islice(self.explanations(), max(count, 0)))
 
     @property
     def frontier(self) -> tuple[Compound, ...]:
@@ -169,7 +179,10 @@ class Reading:
 
     @property
     def rejected(self) -> dict[str, tuple[str, ...]]:
-        """Every goal that explains nothing any more, with the reasons why."""
+        """Every goal that explains nothing any more, with the reasons why.
+
+        Where observations may be needless, or a step of another goal, a later one may bring it back.
+        """
         for level in range(len(self._rejected), len(self.observations) + 1):
             self._rejected.append(self._reject(level))
         return self._rejected[-1]

@@ -58,8 +58,8 @@ class Recogniser(Protocol):
     def standing(self) -> Standing | None:
         """The best explanation and its rivals."""
 
-    def first(self) -> Explanation | Interleaved | None:
-        """The best explanation; None when there is none."""
+    def first(self, goal: str | None = None) -> Explanation | Interleaved | None:
+        """The best explanation, of all or of a goal (goals pursued together are joined by " + "); None for none."""
 
     def explanations(self) -> Iterator[Explanation | Interleaved]:
         """Every explanation, best first, lazily."""
@@ -94,8 +94,9 @@ class Options:
             raise CasperError(f"the price of a needless observation is a factor above 0 and at most 1, not {noise}")
         if isinstance(self.goals, bool) or not isinstance(self.goals, int) or self.goals < 1:
             raise CasperError(f"the number of goals pursued at once is a whole number from 1, not {self.goals}")
-        if self.budget is not None and self.budget < 1:
-            raise CasperError(f"a search needs a budget of at least one state, not {self.budget}")
+        budget: Any = self.budget
+        if budget is not None and (isinstance(budget, bool) or not isinstance(budget, int) or budget < 1):
+            raise CasperError(f"a budget is a whole number of states from 1, not {budget}")
 
 
 PAPER = Options()

@@ -18,6 +18,7 @@ from casper.engine.domain_relations import SHARING_NAMES
 from casper.engine.mind import Mind
 from casper.engine.observation import Seen
 from casper.engine.reading import Reading
+from casper.engine.scoring import name_of
 from casper.engine.supervisor import Commitment
 from casper.engine.verification import Verifier
 from casper.kb.errors import CasperError
@@ -55,14 +56,16 @@ def _fingerprint(domain: Domain) -> str:
 def carried_over(
     reading: Reading, domain: Domain, policy: str = "strict", verification: bool = True
 ) -> tuple[Reading, tuple[Dropped, ...]]:
-    """A reading of the domain with the observations of another one, in order, and those that fit no more.
+    """A reading of the domain with the observations and options of another one, and what of them fits no more.
 
     Args:
         reading: where the observations come from; it stays as it is.
         domain: what they are read with now.
         policy, verification: as for `Domain.reading`.
     """
-    fresh = domain.reading(policy, verification)
+    chosen = reading.options
+    score = name_of(chosen.measure)
+    fresh = domain.reading(policy, verification, chosen.noise, chosen.goals, score, chosen.budget)
     return fresh, tuple(_replayed(reading.observations, fresh))
 
 

@@ -98,10 +98,19 @@ class Replay(ABC):
     def best(self) -> tuple[float, int, int, int] | None:
         """The best explanation: weight, plan, leaves right of its last marked one, ties."""
 
-    def first(self) -> Explanation | None:
-        """The best explanation; None when there is none."""
+    def first(self, goal: str | None = None) -> Explanation | None:
+        """The best explanation, of all or of one goal; None when there is none."""
+        if goal is not None:
+            return self.first_of(goal)
         best = self.best()
         return None if best is None else self._leftmost(best[1], self.total())
+
+    def first_of(self, goal: str) -> Explanation | None:
+        """The best explanation of a goal: its plans are looked at one by one."""
+        alive, whole = self.alive(len(self.observations)), self.total()
+        plans = [plan for plan, label in enumerate(self.labels) if label == goal and plan in alive]
+        found = [next(self._alone(plan, whole), None) for plan in plans]
+        return max((best for best in found if best is not None), key=lambda best: best.share, default=None)
 
     def explanations(self) -> Iterator[Explanation]:
         """Every explanation, best first, lazily: by weight, then plan, then marked leaves."""
@@ -113,18 +122,18 @@ class Replay(ABC):
         heap: list[tuple[float, int, tuple[int, ...], Explanation | None, Iterator[Explanation] | None]] = []
         for weight, plan, _, _ in self.tops():
             if plan != first:
-                heap.append((-weight, plan, (), None, None))
+                heap.append((-weight / whole, plan, (), None, None))
         heapify(heap)
-        self._go_on(heap, first, self._alone(first, whole))
+        self._go_on(heap, first, self._rest(first, whole))
         while heap:
             _, plan, _, found, rest = heappop(heap)
             yield found if found is not None else self._leftmost(plan, whole)
-            self._go_on(heap, plan, rest if rest is not None else self._alone(plan, whole))
+            self._go_on(heap, plan, rest if rest is not None else self._rest(plan, whole))
 
     def _go_on(self, heap: list[Any], plan: int, rest: Iterator[Explanation]) -> None:
         following = next(rest, None)
         if following is not None:
-            heappush(heap, (-self.priors[plan] * following.score, plan, following.marks, following, rest))
+            heappush(heap, (-following.share, plan, following.marks, following, rest))
 
     def _leftmost(self, plan: int, whole: float) -> Explanation:
         """The best explanation of a plan: every observation is the first leaf that it can be."""
@@ -142,12 +151,16 @@ class Replay(ABC):
         share = self.priors[plan] * score / whole if whole else 0.0
         return Explanation(self.plans[plan], marks, self._binding(plan), score, share)
 
+    def _rest(self, plan: int, whole: float) -> Iterator[Explanation]:
+        """The explanations of one plan but the best."""
+        return islice(self._alone(plan, whole), 1, None)
+
     def _alone(self, plan: int, whole: float) -> Iterator[Explanation]:
-        """The other explanations of one plan, best first."""
+        """The explanations of one plan, best first."""
         counting = Counting((self.plans[plan],), NameMatcher((self.plans[plan],)))
         for seen in self.observations:
             counting.observe(seen)
-        for found in islice(counting.stream(), 1, None):
+        for found in counting.stream():
             yield self._told(plan, found.marks, whole)
 
     def _binding(self, plan: int) -> tuple[None, ...]:

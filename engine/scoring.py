@@ -58,3 +58,15 @@ def score_named(name: str) -> Score:
     if name not in SCORES:
         raise CasperError(f"there is no score {name!r}; choose {', '.join(SCORES)}")
     return SCORES[name]
+
+
+def name_of(score: Score) -> str:
+    """The name under which a score is registered.
+
+    Raises:
+        CasperError: it is not.
+    """
+    for name, registered in SCORES.items():
+        if registered is score:
+            return name
+    raise CasperError("this score has no name")

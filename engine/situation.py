@@ -12,11 +12,22 @@ from casper.plans.plan import Plan
 
 @dataclass(frozen=True)
 class Situation:
-    """A plan, the mask of its closed leaves (bit j = leaf j), and what is known of its parameters."""
+    """A plan, the mask of its closed leaves (bit j = leaf j), and what is known of its parameters.
+
+    ``done`` is the mask of the leaves that were observed, or missed and so done unseen. Where it is not known which
+    alternative of a choice that is over was taken, none of it counts.
+    """
 
     plan: Plan
     closed: int
     binding: Binding
+    done: int
+
+    @classmethod
+    def of(cls, plan: Plan, closed: int, binding: Binding) -> Situation:
+        """A situation of which only the closed leaves are known."""
+        chart = plan.chart
+        return cls(plan, closed, binding, closed & chart.known_done(closed))
 
     @property
     def goal(self) -> str:
@@ -42,6 +53,13 @@ class Situation:
         """Mask of the open leaves that belong to the plan by now: not those of an optional part nobody began."""
         chart = self.plan.chart
         return chart.belonging(chart.entered(self.closed)) & ~self.closed
+
+    def leads_to(self, later: Situation) -> bool:
+        """Whether what was expected here came true as far as the later situation knows, and nothing else was begun."""
+        if later.plan != self.plan or self.closed & ~later.closed:
+            return False
+        expected = [leaf for leaf in self.open_leaves if not later.closed >> leaf & 1]
+        return expected == list(later.open_leaves) and self.belonging & ~later.closed == later.belonging
 
     @property
     def frontier(self) -> tuple[Compound, ...]:

@@ -10,6 +10,7 @@ from casper.engine.collaboration import CollaborativePlan
 from casper.engine.events import Event
 from casper.engine.explanation import Explanation, Interleaved
 from casper.engine.reading import Reading
+from casper.engine.situation import Situation
 from casper.kb.terms import Compound
 
 
@@ -35,6 +36,7 @@ class Supervisor:
         self.commitment: Commitment | None = None
         self.waiting: tuple[Compound, ...] = ()
         self.actions: tuple[Compound, ...] = ()
+        self._made: CollaborativePlan | None = None  # the last one that was announced
 
     @property
     def ready(self) -> bool:
@@ -64,46 +66,43 @@ class Supervisor:
             "planned": len(made.plan.actions),
         }
 
-    def _best_of(self, goal: str) -> Explanation | Interleaved | None:
-        return next((found for found in self.reading.explanations() if found.goal == goal), None)
-
     def _commit(self, goal: str, t: float) -> Iterator[Event]:
-        explanation = self._best_of(goal)
+        explanation = self.reading.best_of(goal)
         if explanation is None:
             return
-        plan = self.reading.plan_for(self.robot or "", explanation)
-        assert plan is not None
+        plan = self._planned(explanation)
         self.commitment = Commitment(goal, t, explanation, plan, len(self.reading.observations))
         observed = len(explanation.marks)
         data = {"goal": goal, "confidence": explanation.share, "observed": observed, "missed": explanation.missed}
-        yield Event("prediction", t, {**data, "posterior": self.reading.posterior})
+        yield Event("prediction", t, {**data, "posterior": dict(self.reading.posterior)})
         if self.robot is not None:
-            self.waiting, self.actions = plan.waiting, plan.actions
-            yield self._plan_event(t)
+            yield from self._announce(plan, t)
+
+    def _planned(self, explanation: Explanation | Interleaved) -> CollaborativePlan:
+        plan = self.reading.plan_for(self.robot or "", explanation)
+        assert plan is not None
+        return plan
 
     def _follow(self, commitment: Commitment, t: float) -> Iterator[Event]:
-        """The partner went on: wait for less, and leave out what they did themselves."""
-        explanation = self._best_of(commitment.goal)
+        """The partner went on: wait for less, and leave out what they did themselves. Where they took another way than
+        was expected the robot's part is made anew."""
+        explanation = self.reading.best_of(commitment.goal)
         if explanation is None or self.robot is None:
             return
-        part = self._part(commitment, explanation)
-        if part is None:  # the goal is pursued another way than was thought
-            plan = self.reading.plan_for(self.robot, explanation)
-            assert plan is not None
-            self.commitment = commitment = replace(commitment, explanation=explanation, plan=plan)
+        before, now = _stand(commitment.explanation, commitment.plan), _stand(explanation, commitment.plan)
+        if before is not None and now is not None and before.leads_to(now):
+            plan = commitment.plan.after(now)
         else:
-            plan = commitment.plan.after(part.situation)
-        if (plan.waiting, plan.actions) != (self.waiting, self.actions):
-            self.waiting, self.actions = plan.waiting, plan.actions
-            yield self._plan_event(t)
+            plan = self._planned(explanation)
+            self.commitment = replace(commitment, explanation=explanation, plan=plan)
+        yield from self._announce(plan, t)
 
-    def _part(self, commitment: Commitment, explanation: Explanation | Interleaved) -> Explanation | None:
-        """The part of an explanation that pursues the robot's goal by the plan it was made for."""
-        plans = [part.plan for part in commitment.explanation.parts if part.goal == commitment.plan.goal]
-        return next((part for part in explanation.parts if part.plan in plans), None)
+    def _announce(self, plan: CollaborativePlan, t: float) -> Iterator[Event]:
+        if self._made is None or (plan.waiting, plan.actions) != (self.waiting, self.actions):
+            self._made, self.waiting, self.actions = plan, plan.waiting, plan.actions
+            yield Event("plan", t, {**plan.to_json(), "ready": self.ready})
 
-    def _plan_event(self, t: float) -> Event:
-        assert self.commitment is not None and self.robot is not None
-        goal = self.commitment.plan.goal
-        shown = CollaborativePlan(self.robot, goal, self.waiting, self.actions, ()).to_json()
-        return Event("plan", t, {**shown, "ready": self.ready})
+
+def _stand(explanation: Explanation | Interleaved, plan: CollaborativePlan) -> Situation | None:
+    """Where the plan stands that the robot's part belongs to."""
+    return next((part.situation for part in explanation.parts if part.goal == plan.goal), None)

@@ -12,6 +12,7 @@ from typing import TypeAlias
 from casper.engine.matching import Binding, Matcher, Mismatch, ParameterMatcher, Refused, binding_of, bindings_of
 from casper.engine.observation import Observation
 from casper.kb.base import KnowledgeBase
+from casper.kb.errors import BudgetExceeded
 from casper.kb.terms import Compound, as_term, is_ground, substitute, unify
 from casper.plans.plan import Plan
 
@@ -54,10 +55,9 @@ class VerifyingMatcher(ParameterMatcher):
         result = super().match(plan, leaf, observation, binding)
         if isinstance(result, Mismatch):
             return result
-        if result != binding:
-            result = self._allowed(plan, result)
-            if isinstance(result, Mismatch):
-                return result
+        result = self._allowed(plan, result)
+        if isinstance(result, Mismatch):
+            return result
         action = substitute(self.plans[plan].leaves[leaf], bindings_of(self.plans[plan], result))
         verdict = self.kb.verify(Compound((action.functor, self.partner, *action.args)), self._histories[-1])
         return Refused(verdict.reasons) if verdict.valid is False else result
@@ -102,13 +102,16 @@ def settle(kb: KnowledgeBase, plan: Plan, binding: Binding) -> Binding | Mismatc
     known = bindings_of(plan, binding)
     goal = Compound(("goal", as_term(substitute(plan.goal, known))))
     answers: list[Binding] = []
-    for answer in kb.instances(goal):
-        unified = unify(goal, answer, known)
-        completed = None if unified is None else binding_of(plan, unified)
-        if completed is not None and completed not in answers:
-            answers.append(completed)
-        if len(answers) > 1:
-            return binding
+    try:
+        for answer in kb.instances(goal):
+            unified = unify(goal, answer, known)
+            completed = None if unified is None else binding_of(plan, unified)
+            if completed is not None and completed not in answers:
+                answers.append(completed)
+            if len(answers) > 1:
+                return binding
+    except BudgetExceeded:
+        return binding  # unknown is not no
     if answers:
         return answers[0]
     refusal = kb.why_not(goal)

@@ -116,6 +116,12 @@ class Chart:
         aside = self.spares & ~self.entered(closed)
         return [j for j in range(self.leaves) if not (closed >> j & 1 or self.inside[j] & aside)]
 
+    def known_done(self, closed: int) -> int:
+        """Mask of the leaves that are surely done once they are closed: the mandatory ones, and those of open parts."""
+        entered = self.entered(closed)
+        within = union(self.parts[at].own for at in bits(entered))
+        return self.mandatory | within & self.belonging(entered)
+
     @cached_property
     def spares(self) -> int:
         """Mask of the parts that are alternatives for which another one stands."""

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from casper import Domain
 from casper.engine.collaboration import collaborative_plan, longest_run
 from casper.engine.matching import NameMatcher
 from casper.engine.policy import best
@@ -126,6 +127,47 @@ def test_the_supervisor_plans_anew_when_the_goal_is_pursued_another_way():
     assert supervisor.ready
 
 
+@pytest.mark.parametrize(
+    ("text", "can", "seen", "part"),
+    [
+        ("g --> a, (sweep ; fill, wash, dry), c.", ("sweep", "wash", "dry"), ("a", "fill"), ([], ["wash", "dry"])),
+        ("g --> a, (b ; c, d), wash.", ("wash",), ("a", "c"), (["d"], ["wash"])),
+        ("g --> a, optional((u, v)), wash.", ("wash",), ("a", "u"), (["v"], ["wash"])),
+        ("g --> a, b, wash.", ("wash",), ("a", "b"), ([], ["wash"])),
+    ],
+)
+def test_the_robots_part_follows_the_way_that_the_partner_takes(text, can, seen, part):
+    supervisor, told = supervised(f"goal(g). goal(h). {text} h --> other.", can, *seen)
+    assert (told[-1][-1][1:], supervisor.ready) == (part, not part[0])
+
+
+def test_a_goal_far_down_the_list_is_followed_without_listing_what_is_better():
+    text = f"goal(a). goal(b). goal(c). a --> x, y. b --> x, {', '.join(['s'] * 59)}. c --> x, {', '.join(['s'] * 59)}."
+    supervisor, told = supervised(text, ("y",), "x", *["s"] * 14)
+    assert supervisor.commitment.goal == "a"
+    assert supervisor.reading.count > 10**12
+
+
+def test_an_optional_step_of_the_partner_does_not_split_the_robots_run():
+    assert part("goal(g). g --> a, wash, optional(sip), dry.", "a", can=("wash", "dry")) == ([], ["wash", "dry"])
+
+
+def test_what_was_not_done_does_not_count_as_done(tmp_path):
+    (tmp_path / "ontology.pl").write_text(
+        "human(ann). robot(bot). agent(X) :- human(X). agent(X) :- robot(X).\n"
+        + "".join(f"{action}(X) :- agent(X).\n" for action in ("a", "rinse", "soak", "dry"))
+        + 'never("a robot dries what was soaked") :- claim(dry(X)), robot(X), \\+ did(soak(_), _).\n'
+        + 'never("a robot does nothing else") :- claim(S), S \\= dry(_), S = rinse(bot).\n'
+    )
+    (tmp_path / "plans.pl").write_text("g --> a, (rinse ; soak), dry.\n")
+    kitchen = Domain.load(tmp_path)
+    for seen, can in (("rinse", []), ("soak", ["dry"])):
+        reading = kitchen.reading()
+        reading.observe("a")
+        reading.observe(seen)
+        assert [leaf[0] for leaf in reading.plan_for("bot").actions] == can
+
+
 def test_with_several_goals_the_robot_helps_with_the_one_it_can_do_most_of():
     text = "goal(g). g --> a, b, wash. goal(h). h --> c, d, tidy, sweep."
     supervisor, told = supervised(text, ("wash", "tidy", "sweep"), "a", "c", goals=2)
@@ -136,7 +178,7 @@ def test_with_several_goals_the_robot_helps_with_the_one_it_can_do_most_of():
 
 def test_a_collaborative_plan_names_the_leaves_behind_it():
     (plan,) = PlanLibrary.from_text("goal(g). g --> a, b, wash.").ways
-    part = collaborative_plan("robot", Situation(plan, 0b1, ()), lambda e, leaf, _: (e.leaves[leaf], leaf == 2))
+    part = collaborative_plan("robot", Situation.of(plan, 0b1, ()), lambda e, leaf, _: (e.leaves[leaf], leaf == 2))
     assert (part.awaited, part.leaves) == ((1,), (2,))
-    later = part.after(Situation(plan, 0b11, ()))
+    later = part.after(Situation.of(plan, 0b11, ()))
     assert (later.awaited, later.leaves) == ((), (2,))

@@ -57,6 +57,9 @@ def test_a_fast_engine_gives_the_answers_of_the_counting_engine(engine, library,
         assert fast.alive(len(fast.observations)) == slow.alive(slow.explained)
         assert dict(fast.ends()) == pytest.approx(dict(slow.ends()), rel=1e-12)
     assert fast.first() == next(fast.explanations(), None)
+    for goal in "ghk":
+        ours, theirs = fast.first(goal), slow.first(goal)
+        assert told([ours] if ours else []) == told([theirs] if theirs else [])
     assert told(fast.explanations()) == told(slow.explanations())
     best = fast.best()
     assert (best is None) == (slow.standing() is None)

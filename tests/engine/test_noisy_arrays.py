@@ -188,18 +188,14 @@ def test_a_long_plan_among_short_ones_agrees_with_the_counting_engine_beyond_64_
 
 
 @given(LIBRARIES, NAMES, st.sampled_from([1e-5, 1e-60, 1e-110, 1e-160, 1e-250, 5e-324]))
-def test_a_price_that_underflows_leaves_counts_and_the_best_explanation_as_they_are(library, seen, price):
+def test_a_price_that_underflows_leaves_everything_else_as_it_is(library, seen, price):
     fast, slow = both(library, price)
     for observation in seen:
         fast.observe(observation)
         slow.observe(observation)
-        assert fast.count == slow.count
-        assert all(0 <= share <= 1 for share in fast.posterior().values())
-        top = next(slow.stream(), None)
-        if top is None:
-            assert fast.standing() is None
-        elif top.weight > 0:
-            assert fast.standing() == slow.standing()
+        assert (fast.count, fast.standing()) == (slow.count, slow.standing())
+        assert dict(fast.posterior()) == pytest.approx(slow.posterior(), rel=1e-12, abs=0)
+        assert sum(fast.posterior().values()) == pytest.approx(1.0 if fast.count else 0.0)
     assert len(list(fast.explanations())) == fast.count
 
 
@@ -212,14 +208,31 @@ def test_weights_that_differ_by_rounding_only_tie():
         assert (fast.standing().rivals, fast.standing().ties) == (1, 2)
 
 
-def test_weights_that_underflow_to_the_same_float_tie():
-    library = [plain("g", *"abbb"), plain("h", *"abbbb")]  # unlike, until next to nothing is left of both
+def test_unlike_weights_stay_unlike_however_many_observations_are_needless():
+    library = [plain("g", *"abbb"), plain("h", *"abbbb")]
     fast, slow = both(library, 2**-8)
-    for name in "a" + "c" * 134:
+    for name in "a" + "c" * 160:  # 2 ** -1280 is no float
         fast.observe(Observation(name))
         slow.observe(Observation(name))
         assert fast.standing() == slow.standing()
-    assert fast.standing().rivals == 1
+    assert (fast.standing().best_goal, fast.standing().rivals) == ("g", 0)
+    assert dict(fast.posterior()) == pytest.approx(slow.posterior(), rel=1e-12)
+    assert fast.posterior()["g"] == pytest.approx((1 / 4) / (1 / 4 + 1 / 5))
+    assert told([fast.first()]) == told([slow.first()])
+
+
+@given(LIBRARIES, NAMES, PRICES, st.booleans())
+def test_the_first_explanation_is_found_without_listing_any(library, seen, price, weighed):
+    fast, slow = both(library, price, priors_of(library) if weighed else None)
+    for observation in seen:
+        fast.observe(observation)
+        slow.observe(observation)
+        assert fast.first() == next(fast.explanations(), None)
+        for goal in "ghk":
+            ours, theirs = fast.first(goal), slow.first(goal)
+            assert (ours is None) == (theirs is None)
+            if ours is not None:
+                assert told([ours]) == told([theirs])
 
 
 def test_an_action_that_no_plan_has_is_needless():

@@ -188,6 +188,67 @@ def test_the_ties_of_the_best_explanation_are_counted(seen):
     assert found.ties == scores.count(max(scores))
 
 
+def test_before_anything_is_observed_no_goal_has_a_share_whatever_the_score():
+    for score in ("paper", "coverage", "diligence", "uniform"):
+        assert set(reading(score=score).posterior.values()) == {0.0}
+
+
+def test_likelihoods_that_underflow_leave_answers():
+    seen = reading(verification=False)
+    for _ in range(3):
+        seen.observe({"pick_and_place": 1e-200})
+    assert seen.count == 1  # lunch
+    assert set(seen.next_actions) == {"wash(plate, sink)"}
+    assert seen.questions() != []
+
+
+def test_more_explanations_than_can_be_weighed_are_refused_in_a_sentence():
+    library = PlanLibrary()
+    library.plan("g", *["a"] * 1100)
+    seen = Reading(library, NameMatcher(library.ways))
+    with pytest.raises(CasperError, match="more explanations than can be weighed"):
+        for _ in range(1100):
+            seen.observe("a")
+    assert seen.posterior == {"g": 1.0}
+
+
+def test_a_step_that_may_be_left_out_is_not_asked_about(tmp_path):
+    text = "goal(g). goal(h). g --> eat, x. h --> (eat ; sip), optional(nap), y."
+    seen = domain(tmp_path, text).reading()
+    seen.observe("eat")
+    asked = {(question.kind, question.about) for question in seen.questions()}
+    assert ("goal", "g") in asked and ("step", "x") in asked
+    assert not asked & {("done", "eat"), ("done", "sip"), ("step", "nap"), ("step", "sip")}
+
+
+def test_a_plan_whose_rest_may_be_left_out_may_be_complete(tmp_path):
+    seen = domain(tmp_path, "goal(g). g --> a, optional(b).").reading()
+    seen.observe("a")
+    assert seen.next_actions == {"b": 0.5, None: 0.5}
+
+
+def test_a_goal_whose_condition_no_longer_holds_is_cut(tmp_path):
+    (tmp_path / "ontology.pl").write_text("human(ann). open(kitchen). a(X) :- human(X). b(X) :- human(X).\n")
+    here = domain(tmp_path, "goal(g) :- open(kitchen). goal(h). g --> a, b. h --> a, a, b.\n")
+    seen = here.reading()
+    seen.observe("a")
+    here.kb.retract("open(kitchen)")
+    seen.observe("b")
+    assert dict(seen.posterior) == {"g": 0.0, "h": 1.0}
+
+
+def test_an_observation_that_cannot_be_decided_is_taken_in_or_not(monkeypatch):
+    seen = reading("pick_and_place")
+    monkeypatch.setattr(seen._engine.matcher, "match", lambda *_: 1 / 0)
+    before = seen.to_json()
+    with pytest.raises(ZeroDivisionError):
+        seen.observe("eat")
+    monkeypatch.undo()
+    assert seen.to_json() == before
+    seen.observe("eat")
+    assert seen.count == 3
+
+
 def test_scores_are_chosen_by_name():
     seen = [reading("wash", score=name, verification=False).posterior for name in ("paper", "uniform", "coverage", "diligence")]
     assert seen[1] == pytest.approx({"breakfast": 1 / 3, "drink": 1 / 3, "lunch": 1 / 3})
