@@ -104,7 +104,7 @@ class Domain:
             noise: the factor on a score for each observation that is needless or misread; None: there are none.
             goals: how many goals the partner may pursue at once.
             score: the name of a score (`engine.scoring`).
-            budget: how many states are kept (None: 100,000; of two goals at once 50,000, of more 3,000). Where there
+            budget: how many states are kept (None: 20,000; of two goals at once 50,000, of more 3,000). Where there
                 are more, the reading is not exact, and says so.
 
         Raises:

@@ -29,11 +29,12 @@ def priors_of(
             number, or they do not sum to 1.
     """
     stated: dict[str, float] = {}
+    known = set(labels)
     where: Place | None = None
     for row in rows:
         goal, prior = row
         name, where = term_text(goal), place(row)
-        if name not in labels:
+        if name not in known:
             sentence = f"prior({name}, {prior}): {name} is no goal; the goals are {', '.join(labels)}"
             raise CasperError(sentence, where)
         if name in stated and stated[name] != prior:

@@ -74,7 +74,7 @@ class Options:
 
     ``noise`` is the factor on a score for each needless or misread observation (None: there are none), ``goals`` how
     many goals may be pursued at once, ``priors`` each goal's prior by label, ``measure`` the score, ``budget`` how many
-    states may be kept (None: 100,000; of two goals at once 50,000, of more 3,000).
+    states may be kept (None: 20,000; of two goals at once 50,000, of more 3,000).
     """
 
     noise: float | None = None

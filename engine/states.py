@@ -16,7 +16,7 @@ Edges: TypeAlias = dict[Binding, list[Edge]]  # by binding before: what was matc
 Weight: TypeAlias = tuple[float, float, int]
 """Of a state's paths: the sum and the largest of their likelihoods, and how many are as large."""
 
-MOST_STATES = 100_000  # kept of all plans, unless a reading is told another budget
+MOST_STATES = 20_000  # kept of all plans, unless a reading is told another budget
 NEEDLESS = -1  # the mark of an observation that was taken for no leaf
 
 

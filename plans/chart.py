@@ -94,9 +94,18 @@ class Chart:
         covered = union(self.before[j] for j in bits(earlier))
         return list(bits(earlier & ~covered))
 
-    def rivals(self, leaf: int) -> int:
-        """Mask of the leaves that are never done where this one is."""
-        return union(self.parts[at].rivals for at in bits(self.inside[leaf]))
+    @cached_property
+    def choices(self) -> dict[int, tuple[int, int]]:
+        """By part that is an alternative: the number of its choice and its own among the rivals, both from 0."""
+        numbers: dict[int, int] = {}  # of choices, by the leaves of all their alternatives
+        counts: dict[int, int] = {}
+        found: dict[int, tuple[int, int]] = {}
+        for at, part in enumerate(self.parts):
+            if part.rivals:
+                choice = numbers.setdefault(part.leaves | part.rivals, len(numbers))
+                found[at] = choice, counts.get(choice, 0)
+                counts[choice] = counts.get(choice, 0) + 1
+        return found
 
     def entered(self, closed: int) -> int:
         """The parts that were entered and are still open: those that are closed in part."""

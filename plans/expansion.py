@@ -26,7 +26,7 @@ from casper.plans.shapes import CHOICES, SHAPES, Items, partial_order
 MOST_PLANS = 100_000
 MOST_ITEMS = 20_000  # of one goal, with everything it may be done by
 _BOUND = "setting(plans, recursion, N) says how often it may"
-_LOWER = "lower the bound of setting(plans, recursion, N), or give the goal fewer choices"
+_LOWER = "lower the bound of its recursion or repetition, or give the goal fewer choices"
 _ONLY_NAMES = "an item of a plan is an action or a task, such as wash(Plate, sink)"
 
 
@@ -151,9 +151,7 @@ class _Grammar:
         if not isinstance(item, (str, Compound)):
             raise PlanError(f"{term_text(renamed([item], 0)[0])} cannot stand in a plan: {_ONLY_NAMES}", place)
         term = predication(item)
-        self.items += 1
-        if self.items > MOST_ITEMS:
-            raise PlanError(f"a goal has more than {MOST_ITEMS} steps with all its choices; {_LOWER}", place)
+        self.count(place)
         if term.functor in SHAPES and term.args and term.indicator not in self.methods:
             yield from self.shape(term, bindings, above, place)
         elif term.indicator in self.methods:
@@ -162,6 +160,12 @@ class _Grammar:
         else:
             _check_action(term, place)
             yield (Action(term, place),), bindings
+
+    def count(self, place: Place) -> None:
+        """One item more of the goal; no goal may have too many."""
+        self.items += 1
+        if self.items > MOST_ITEMS:
+            raise PlanError(f"a goal has more than {MOST_ITEMS} steps with all its choices; {_LOWER}", place)
 
     def shape(self, term: Compound, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Ways:
         """Every way to do what stands in a shape."""
@@ -215,6 +219,7 @@ class _Grammar:
         """The items up to the first that is no plain action: nothing is to be chosen there."""
         actions = []
         for item in items:
+            self.count(place)
             term = Compound((item,)) if isinstance(item, str) else item
             if not (isinstance(term, Compound) and self.is_action(term, place)):
                 break

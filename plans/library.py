@@ -31,9 +31,9 @@ RECURSION = ("setting", "plans", "recursion")
 class PlanLibrary:
     """Productions and goals in the author's order.
 
-    ``ways`` holds a `Plan` for each choice among alternatives, with its shapes (optional, unordered and partly ordered
-    steps) kept as they are: what the engine works on. ``plans`` spells the shapes out too: one `Plan` for each order
-    and each set of optional steps.
+    ``ways`` holds a `Plan` for each goal, with its shapes (choices, optional, unordered and partly ordered steps) kept
+    as they are: what the engine works on. Only alternatives that settle a parameter outside of them make several plans
+    of a goal. ``plans`` spells everything out: one `Plan` for each choice, order and set of optional steps.
     """
 
     def __init__(self, sentences: Iterable[Sentence] = (), most_plans: int = MOST_PLANS) -> None:
@@ -106,7 +106,7 @@ class PlanLibrary:
 
     @property
     def plans(self) -> tuple[Plan, ...]:
-        """As `ways`, with every order and every set of optional parts spelled out.
+        """As `ways`, with every choice, every order and every set of optional parts spelled out.
 
         Raises:
             PlanError: as `ways`, and where there are too many.
@@ -168,10 +168,10 @@ class PlanLibrary:
         return [(p.head if times[p.head.indicator] == 1 else _general(p.head), p.place) for p in ordered]
 
     def __len__(self) -> int:
-        return len(self.plans)
+        return len(self.ways)
 
     def __repr__(self) -> str:
-        return f"<PlanLibrary: {len(self.goals)} goals, {len(self.plans)} plans>"
+        return f"<PlanLibrary: {len(self.goals)} goals, {len(self.ways)} plans>"
 
 
 def goal_of(clause: Clause) -> Compound:

@@ -4,7 +4,7 @@
     uses(Goal, Thing)            some action of the goal's plan names the thing: "which goals use the plate?"
     before(Goal, N, M)           its leaf number N is the last, or one of the last, that must come before number M
     optional(Goal, Number)       this leaf of the goal's plan may be left out
-    alternative(Goal, N, M)      where its leaf N is done, leaf M never is
+    alternative(Goal, C, A, N)   its leaf N stands in alternative A of its choice C (from 1); one alternative is done
     task(Task)                   the task is done by a production
 
 Each holds for the goals that the knowledge base allows: ``goal(breakfast(F)) :- biscuits(F)`` makes F the biscuits.
@@ -23,13 +23,13 @@ from casper.plans.library import PlanLibrary
 from casper.plans.plan import Plan
 
 RELATIONS = (
-    *(("step", 3), ("uses", 2), ("before", 3), ("optional", 2), ("alternative", 3), ("task", 1)),
-    *(("plan_step", 3), ("plan_uses", 2), ("plan_before", 3), ("plan_optional", 2), ("plan_alternative", 3)),
+    *(("step", 3), ("uses", 2), ("before", 3), ("optional", 2), ("alternative", 4), ("task", 1)),
+    *(("plan_step", 3), ("plan_uses", 2), ("plan_before", 3), ("plan_optional", 2), ("plan_alternative", 4)),
 )
 
 
 def plan_clauses(library: PlanLibrary) -> Iterator[Clause]:
-    """The clauses of step/3, uses/2, before/3, optional/2, alternative/3 and task/1 for a library, each once."""
+    """The clauses of step/3, uses/2, before/3, optional/2, alternative/4 and task/1 for a library, each once."""
     seen: set[Compound] = set()
     general: set[Term] = set()  # relations that have their rule for all goals without parameters
     for plan in library.ways:
@@ -62,13 +62,13 @@ def _rows(plan: Plan) -> Iterator[Compound]:
             yield Compound(("before", goal, earlier + 1, number))
         if not chart.mandatory >> number - 1 & 1:
             yield Compound(("optional", goal, number))
-        for rival in bits(chart.rivals(number - 1)):
-            yield Compound(("alternative", goal, number, rival + 1))
+        for choice, alternative in (chart.choices[at] for at in bits(chart.inside[number - 1]) if at in chart.choices):
+            yield Compound(("alternative", goal, choice + 1, alternative + 1, number))
 
 
 def _general(row: Compound) -> Clause:
     """One rule for all goals without parameters: their rows are facts, so that large libraries stay small programs."""
-    names = [Variable(name) for name in ("Goal", "Number", "What")[: row.arity]]
+    names = [Variable(name) for name in ("Goal", "Number", "What", "Leaf")[: row.arity]]
     body = (Literal(Compound((f"plan_{row.functor}", *names))), Literal(Compound(("goal", names[0]))))
     return Clause(Compound((row.functor, *names)), body)
 

@@ -13,6 +13,7 @@ from casper.kb.errors import Place, PlanError
 from casper.kb.terms import NIL, Compound, Term, list_items, renamed
 from casper.kb.writer import term_text
 
+MOST_TIMES = 1000
 Items: TypeAlias = tuple[Term, ...]
 Order: TypeAlias = frozenset[tuple[int, int]]
 """Pairs of item numbers of which the first comes before the second."""
@@ -66,6 +67,8 @@ def _repeat(term: Compound, place: Place) -> Iterator[Items]:
     if type(least) is not int or type(most) is not int or not 0 <= least <= most or most == 0:
         shown = term_text(renamed([term], 0)[0])
         raise PlanError(f"{shown}: repeat takes an item and two whole numbers: repeat(stir, 1, 3)", place)
+    if most > MOST_TIMES:
+        raise PlanError(f"repeat does an item at most {MOST_TIMES} times, not {most}", place)
     more: Items = ()
     for _ in range(most - least):
         more = (Compound(("optional", *item, *more)),)

@@ -78,14 +78,16 @@ def inseparable_goals(library: PlanLibrary) -> Iterator[Finding]:
 def worst_case_distinctiveness(library: PlanLibrary, missing: bool = False) -> Distinctiveness | None:
     """The longest row of observations that two goals can both explain; None when no two goals have one.
 
+    Actions are told as far as both goals have them: arguments that only their sequence would settle are left open.
+
     Args:
         library: the plans.
         missing: whether steps may go unseen.
     """
     worst: Distinctiveness | None = None
     exact = True
-    pairs = [(a, b) for a, b in combinations(library.ways, 2) if a.label != b.label]
-    for a, b in pairs[:MOST_PAIRS]:
+    pairs = ((a, b) for a, b in combinations(library.ways, 2) if a.label != b.label)
+    for a, b in islice(pairs, MOST_PAIRS):
         search = _Common(a, b, missing)
         row = search.longest()
         exact = exact and not search.is_cut_short
@@ -93,7 +95,7 @@ def worst_case_distinctiveness(library: PlanLibrary, missing: bool = False) -> D
             worst = Distinctiveness((a.label, b.label), row)
     if worst is None:
         return None
-    return Distinctiveness(worst.goals, worst.observations, exact and len(pairs) <= MOST_PAIRS)
+    return Distinctiveness(worst.goals, worst.observations, exact and next(pairs, None) is None)
 
 
 class _Common:

@@ -12,6 +12,7 @@ from casper.kb.terms import Compound, is_ground, substitute
 from casper.kb.writer import term_text
 from casper.plans.library import GOAL
 from casper.plans.plan import Plan
+from casper.plans.spelling import spelled_out
 from casper.sim_adapter.steps import Step
 
 
@@ -29,7 +30,7 @@ def script_for(domain: Domain, goal: str) -> list[ScriptedAction]:
     Raises:
         DomainError: there is no such goal. PlanError: an action has unknown parts that the rules do not settle.
     """
-    plan = next((p for p in domain.library.plans if p.label == goal), None)
+    plan = next((next(spelled_out(way)) for way in domain.library.ways if way.label == goal), None)
     if plan is None:
         raise DomainError(f"there is no goal {goal!r}: choose {', '.join(domain.library.goals)}")
     return [ScriptedAction(action, step_for(domain, action)) for action in _grounded(domain, plan)]

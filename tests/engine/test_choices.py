@@ -80,8 +80,31 @@ def test_a_task_that_calls_itself_is_one_plan_however_deep():
 @pytest.mark.parametrize("bound", [30, 2000])
 def test_what_cannot_be_unrolled_is_refused_in_a_sentence(bound):
     text = f"setting(plans, recursion, {bound}). goal(g). g --> a, g, g. g --> b."
-    with pytest.raises(PlanError, match=r"lower the bound of setting\(plans, recursion, N\)"):
+    with pytest.raises(PlanError, match="lower the bound of its recursion or repetition"):
         PlanLibrary.from_text(text)
+
+
+def test_choices_inside_choices_are_numbered_apart(tmp_path):
+    (tmp_path / "plans.pl").write_text("goal(g). g --> (a ; (b ; c), d), (e ; f).")
+    rows = sorted(Domain.load(tmp_path).kb.rows("alternative", 4))
+    assert rows == [("g", 1, 1, 1), ("g", 1, 2, 2), ("g", 1, 2, 3), ("g", 1, 2, 4), ("g", 2, 1, 2), ("g", 2, 2, 3), ("g", 3, 1, 5), ("g", 3, 2, 6)]
+
+
+def test_a_goal_with_hundreds_of_ways_is_a_small_program(tmp_path):
+    (tmp_path / "plans.pl").write_text("goal(g).\n" + "".join(f"g --> a{n}, b{n}, c.\n" for n in range(300)))
+    kb = Domain.load(tmp_path).kb
+    assert len(list(kb.rows("alternative", 4))) == 900
+
+
+def test_a_library_is_shown_without_spelling_it_out():
+    library = PlanLibrary.from_text(f"goal(g). g --> unordered({', '.join(f'a{n}' for n in range(30))}).")
+    assert (repr(library), len(library), bool(library)) == ("<PlanLibrary: 1 goals, 1 plans>", 1, True)
+
+
+@pytest.mark.parametrize("body", ["repeat(a, 1000000000, 1000000000)", "repeat(a, 1, 1001)", "repeat((a, b), 20000, 20000)"])
+def test_repetition_is_bounded(body):
+    with pytest.raises(PlanError, match="at most 1000 times"):
+        PlanLibrary.from_text(f"goal(g). g --> {body}.")
 
 
 def test_alternatives_that_settle_a_parameter_outside_are_plans_of_their_own():
@@ -118,6 +141,6 @@ def test_a_tree_says_or_between_alternatives():
 def test_alternatives_can_be_asked_for(tmp_path):
     (tmp_path / "plans.pl").write_text("goal(g). g --> a, (b ; c), d.")
     kb = Domain.load(tmp_path).kb
-    assert sorted(kb.rows("alternative", 3)) == [("g", 2, 3), ("g", 3, 2)]
+    assert sorted(kb.rows("alternative", 4)) == [("g", 1, 1, 2), ("g", 1, 2, 3)]
     assert sorted(kb.rows("before", 3)) == [("g", 1, 2), ("g", 1, 3), ("g", 2, 4), ("g", 3, 4)]
     assert sorted(kb.rows("optional", 2)) == [("g", 2), ("g", 3)]

@@ -73,6 +73,31 @@ def test_a_mistake_is_told_with_its_place(tmp_path, files, finding):
     assert any((f, n, s) == (file, line, severity) and m.startswith(start) for f, n, s, m in told), told
 
 
+ACTIONS = ONTOLOGY + "".join(f"{name}(A) :- agent(A).\n" for name in "abcd") + "bad(A) :- agent(A), sink(A).\n"
+
+
+def told_of(tmp_path, plans, more=""):
+    return [(s, m) for f, _, s, m in found(tmp_path, ontology=ACTIONS + more, plans=plans) if f == "plans.pl" and s != "note"]
+
+
+def test_an_optional_part_nobody_can_do_keeps_nobody_from_the_goal(tmp_path):
+    (finding,) = told_of(tmp_path, "goal(g). g --> a, optional(bad), c.\n")
+    assert finding[0] == "warning"
+    assert finding[1].startswith("an optional part of g is impossible: nobody can do bad, because ")
+
+
+def test_where_the_order_is_open_a_step_is_tried_at_its_best_moment(tmp_path):
+    never = 'never("c comes first") :- claim(b(_)), \\+ did(c(_), _).\n'
+    assert told_of(tmp_path, "goal(g). g --> a, unordered(b, c).\n", never) == []
+    assert told_of(tmp_path, "goal(g). g --> a, b, c.\n", never) == [("error", "the goal g cannot be pursued: nobody can do b, because c comes first")]
+
+
+def test_many_choices_hide_neither_a_way_nor_another_goal(tmp_path):
+    choices = ", ".join(["(b ; c)"] * 12)
+    told = told_of(tmp_path, f"goal(g). goal(h). g --> (bad ; a), {choices}. h --> a, bad.\n")
+    assert sorted((s, m.split(":")[0]) for s, m in told) == [("error", "the goal h cannot be pursued"), ("warning", "one way to pursue g is impossible")]
+
+
 def test_all_of_them_are_told_at_once_in_order(tmp_path):
     told = found(tmp_path, ontology=ONTOLOGY + "p(X) :- coup(X).\nq(X :- cup(X).\n", plans=PLANS + "goal(x).\n", actions="context(use).\n setting(focus, a, 1).\n")
     assert [(f, n) for f, n, s, _ in told if s == "error"] == [("actions.pl", 2), ("ontology.pl", 6), ("ontology.pl", 7), ("plans.pl", 4)]
