@@ -221,7 +221,7 @@ class Counting(Levels):
             return before[level][state]
 
         for weight, marks, state in best_first(finals, back, k):
-            likelihood = weight / finals[state] if finals[state] else 0.0
+            likelihood = 1.0 if self._weights[-1] is None else weight / (finals[state] or 1.0)
             yield Found(plan, marks, state[5], self._score(state, state[4]) * likelihood, prior * weight)
 
     def _before(self, plan: int, level: int) -> dict[State, list[tuple[State, int, float]]]:

@@ -55,6 +55,7 @@ class Hypotheses:
         self.budget = budget or (MOST_SEARCHED if goals > EXACT_GOALS else MOST_KEPT)
         self.priors = priors or (1.0,) * len(plans)
         self.labels = [plan.label for plan in plans]
+        self.rank = {label: at for at, label in enumerate(dict.fromkeys(self.labels))}
         self.charts = [plan.chart for plan in plans]
         self._holders: dict[str, list[tuple[int, list[int]]]] = {}  # by action: plans and their leaves of that name
         self._starts: dict[int, State] = {}

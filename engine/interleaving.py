@@ -91,7 +91,7 @@ class Interleaving(Hypotheses):
         return Standing(self.count, " + ".join(goals), missed, rivals, ties)
 
     def _goals(self, parts: tuple[Part, ...]) -> tuple[str, ...]:
-        return tuple(self.labels[plan] for plan, _ in parts)
+        return tuple(sorted((self.labels[plan] for plan, _ in parts), key=self.rank.__getitem__))
 
     def ends(self) -> Iterator[tuple[tuple[tuple[int, int, Binding], ...], float]]:
         """Where explanations end: per goal pursued (plan, mask of closed leaves, binding), and their share."""
@@ -110,7 +110,7 @@ class Interleaving(Hypotheses):
 
     def _told_of(self, goal: str | None) -> Iterator[Interleaved]:
         whole = sum(mass for _, mass in self._masses())
-        steps = len(self.observations)
+        steps, certain = len(self.observations), self._weights[-1] is None
 
         def back(level: int, hypothesis: Hypothesis) -> list[tuple[Hypothesis, Mark, float]]:
             kept = self._levels[level - 1]
@@ -118,7 +118,8 @@ class Interleaving(Hypotheses):
 
         for finals in self._batches(goal):
             for weight, marks, hypothesis in best_first(finals, back, steps):
-                yield self._told(hypothesis, marks, weight / finals[hypothesis], weight / whole if whole else 0.0)
+                likelihood = 1.0 if certain else weight / (finals[hypothesis] or 1.0)
+                yield self._told(hypothesis, marks, likelihood, weight / whole if whole else 0.0)
 
     def _batches(self, goal: str | None) -> Iterator[dict[Hypothesis, float]]:
         """Final hypotheses with their weights: one weight after the other, or all where paths weigh differently."""
@@ -135,7 +136,7 @@ class Interleaving(Hypotheses):
         score = self._score(hypothesis, len(self.observations), needless) * likelihood
         told = tuple(
             Explanation(self.plans[plan], tuple(leaf for p, leaf in marks if p == plan), state[5], score, share)
-            for plan, state in parts
+            for plan, state in sorted(parts, key=lambda part: self.rank[self.labels[part[0]]])
         )
         unused = tuple(at for at, (plan, _) in enumerate(marks) if plan == NEEDLESS)
         return Interleaved(told, score, share, unused)

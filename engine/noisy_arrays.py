@@ -39,7 +39,6 @@ from casper.engine.states import NEEDLESS
 from casper.engine.tracing import first_marks
 from casper.plans.plan import Plan
 
-TINY = 1e-290
 CLOSE = 1 - 1e-9  # weights this near to the best may be equal to it as floats, now or later
 
 

@@ -6,14 +6,15 @@ by the name `BEGIN`. An observation of o adds to the rows and the columns of o, 
 shares all others with the level before. What it adds to a row, D_q[x, :], is the sum of the rows T_{q-1}[x', :] left of
 x in x's plan: per plan one running sum, that goes on from one leaf of the name to the next.
 
-No way to mark q observations of k is counted twice, so T_q[x, y] <= C(k, q) * sum of C(q, i) C(n_p, i) C(n_q, q - i)
-over i. That is far above what libraries of several names come to; so each observation takes the narrowest integers that
-hold (2 n + 1) times the largest count so far, n being the most leaves of a plan: D sums up to n rows, and T gets D and
-its transpose. Above 64 bits they are Python's.
+Where i of the q marked observations are steps of the first plan there are C(k, q) C(q, i) C(n_p, i) C(n_q, q - i) ways
+at most, if all leaves have one name. Libraries of several names come to far less; so each observation takes the
+narrowest integers that hold (2 n + 1) times the largest count so far, n being the most leaves of a plan: D sums up to n
+rows, and T gets D and its transpose. Above 64 bits they are Python's.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import comb
@@ -226,20 +227,23 @@ def exactly(np: Any, counts: Array) -> int:
 
 
 def memory(plans: Sequence[Plan], observations: int) -> int:
-    """About how many bytes so many observations take at most, all of them of the commonest name."""
+    """About how many bytes so many observations take, each of a name that is as common as the commonest."""
     lengths = sorted(len(plan.leaves) for plan in plans)
-    names: dict[str, int] = {}
-    for plan in plans:
-        for leaf in plan.leaves:
-            names[leaf.functor] = names.get(leaf.functor, 0) + 1
-    cells = 2 * max(names.values()) * (sum(lengths) + len(plans))
-    numbers = [k * _size(k, *lengths[-2:]) for k in range(1, observations + 1)]
-    return sum(cells * number + 8 * len(plans) ** 2 for number in numbers)
+    names = Counter(leaf.functor for plan in plans for leaf in plan.leaves)
+    most, leaves = max(names.values()), sum(lengths)
+    longest, next_longest = lengths[-1], lengths[-2] if len(lengths) > 1 else 0
+    found = 0
+    for k in range(1, observations + 1):
+        columns = len(plans) + min(leaves, k * most)
+        found += 2 * most * columns * k * _size(k, longest, next_longest, most / leaves) + 8 * len(plans) ** 2
+    return found
 
 
-def _size(observations: int, *lengths: int) -> int:
-    """How many bytes hold a count, whatever the names; Python's integers take about forty."""
-    p, q = lengths if len(lengths) == 2 else (*lengths, 0)
-    ways = [sum(comb(m, i) * comb(p, i) * comb(q, m - i) for i in range(m + 1)) for m in range(observations + 1)]
-    largest = (2 * q + 1) * max(comb(observations, m) * number for m, number in enumerate(ways))
-    return next((size for size in (2, 4, 8) if largest < 1 << 8 * size), 40)
+def _size(k: int, n: int, others: int, share: float) -> int:
+    """How many bytes hold the counts of k observations, if that share of the leaves has each one's name.
+
+    Single counts are far above the mean where leaves of a name stand close together: hence the square.
+    """
+    ways = [sum(comb(q, i) * comb(n, i) * comb(others, q - i) for i in range(q + 1)) for q in range(k + 1)]
+    largest = (2 * n + 1) ** 2 * max(comb(k, q) * number * share**q for q, number in enumerate(ways))
+    return next((size for size in (2, 4, 8) if largest < 1 << 8 * size), 40)  # about forty for Python's integers

@@ -14,6 +14,7 @@ which is a cumulative sum along each axis of U, and gathers. Explanations of one
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from heapq import heapify, heappop, heappush
 from itertools import count
 from typing import Any
@@ -202,7 +203,7 @@ class Pairs:
         return Standing(self.count, " + ".join(goals), missed, rivals, sum(number for _, number, _ in best.values()))
 
     def _goals(self, plans: tuple[int, ...]) -> tuple[str, ...]:
-        return tuple(self.labels[plan] for plan in plans)
+        return tuple(sorted((self.labels[plan] for plan in plans), key=self.index.__getitem__))
 
     def _ties(self, p: int, q: int, least: float) -> tuple[int, int]:
         """How many explanations of the two plans weigh as much as the best, and how many leaves these leave open."""
@@ -282,7 +283,9 @@ class Pairs:
         for found in engine.explanations():
             if len(found.parts) == len(plans):
                 share = found.score * self._prior_of(plans) / whole
-                yield Interleaved(found.parts, found.score, share, ())
+                parts = zip(plans, found.parts)
+                told = (replace(part, share=share, binding=self.single._binding(plan)) for plan, part in parts)
+                yield Interleaved(tuple(sorted(told, key=lambda part: self.index[part.goal])), found.score, share)
 
     def interleaving(self) -> Interleaving:
         """The same as an `Interleaving`, which takes uncertain observations too."""

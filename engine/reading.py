@@ -15,6 +15,7 @@ from typing import Any
 from casper.engine.collaboration import Capability, CollaborativePlan, collaborative_plan
 from casper.engine.explanation import Explanation, Interleaved
 from casper.engine.matching import Matcher
+from casper.engine.noisy_pairs import NoisyPairs
 from casper.engine.observation import Observed, Seen, Uncertain, options_of, seen_of
 from casper.engine.outlook import Outlook
 from casper.engine.pairs import Pairs
@@ -78,7 +79,7 @@ class Reading:
         seen = self._seen(observed)
         if isinstance(seen, Uncertain) and isinstance(self._engine, Replay):
             self._engine = self._engine.counting()
-        elif isinstance(seen, Uncertain) and isinstance(self._engine, Pairs):
+        elif isinstance(seen, Uncertain) and isinstance(self._engine, (Pairs, NoisyPairs)):
             self._engine = self._engine.interleaving()
         self._engine.observe(seen)
         if len(self._engine.observations) > WEIGHABLE and self._engine.count.bit_length() > MOST_BITS:

@@ -17,7 +17,7 @@ from casper.engine.states import MOST_STATES
 from casper.kb.errors import CasperError
 from casper.plans.plan import Plan, is_plain
 
-MANY_PAIRS = 10
+MANY_PAIRS = 5
 MANY_LEAVES = 400  # of one name: from here on arrays beat plain Python (benchmarks/recognition/growth.py)
 MANY_NOISY_LEAVES = 12  # the same where observations may be needless: a state more for each needless one
 MANY_PLANS = 2000  # here too: a posterior is no longer copied for each observation
@@ -120,6 +120,11 @@ def recogniser(plans: Sequence[Plan], matcher: Matcher, options: Options) -> Rec
 
             if fits(plans):
                 return Pairs(plans, matcher, priors)
+        elif by_name and options.goals == 2 and len(plans) >= MANY_PAIRS and _has_numpy():
+            from casper.engine import noisy_pairs
+
+            if options.noise is not None and noisy_pairs.fits(plans):
+                return noisy_pairs.NoisyPairs(plans, matcher, options.noise, priors)
         return Interleaving(plans, matcher, options.goals, options.noise, priors, options.measure, options.budget)
     if by_name and options.noise is not None and _leaves_looked_at(plans) >= MANY_NOISY_LEAVES and _has_numpy():
         from casper.engine.noisy_arrays import NoisyArrays

@@ -143,7 +143,7 @@ def test_the_robots_part_follows_the_way_that_the_partner_takes(text, can, seen,
 
 def test_a_goal_far_down_the_list_is_followed_without_listing_what_is_better():
     text = f"goal(a). goal(b). goal(c). a --> x, y. b --> x, {', '.join(['s'] * 59)}. c --> x, {', '.join(['s'] * 59)}."
-    supervisor, told = supervised(text, ("y",), "x", *["s"] * 14)
+    supervisor, _ = supervised(text, ("y",), "x", *["s"] * 14)
     assert supervisor.commitment.goal == "a"
     assert supervisor.reading.count > 10**12
 

@@ -14,6 +14,7 @@ from casper.engine.counting import Counting
 from casper.engine.interleaving import Interleaving
 from casper.engine.matching import NameMatcher, ParameterMatcher
 from casper.engine.noisy_arrays import NoisyArrays
+from casper.engine.noisy_pairs import NoisyPairs
 from casper.engine.pairs import Pairs
 from casper.engine.questions import entropy
 from casper.engine.reading import Reading
@@ -302,7 +303,9 @@ def test_a_question_never_gains_more_than_there_is_to_know():
         (3, {"goals": 2}, Interleaving),
         (20, {"goals": 2}, Pairs),
         (20, {"goals": 3}, Interleaving),
-        (20, {"goals": 2, "noise": 0.1}, Interleaving),
+        (20, {"goals": 2, "noise": 0.1}, NoisyPairs),
+        (3, {"goals": 2, "noise": 0.1}, Interleaving),
+        (20, {"goals": 3, "noise": 0.1}, Interleaving),
     ],
 )
 def test_a_reading_picks_its_engine(goals, options, engine):
