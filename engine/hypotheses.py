@@ -83,7 +83,8 @@ class Hypotheses:
         self._noted, self._is_exact = {}, True
         certain, k = is_certain(seen), len(self.observations) + 1
         trail = self._trail(options_of(seen))
-        counts = {after: sum(self._levels[-1][before] for before, _, _ in steps) for after, steps in trail.items()}
+        earlier = self._levels[-1]
+        counts = {after: sum([earlier[before] for before, _, _ in steps]) for after, steps in trail.items()}
         weights = self._weighed(trail, certain)
         if len(counts) > self.budget:
             self._is_exact = False
@@ -228,5 +229,7 @@ class Hypotheses:
 
 def _with(parts: tuple[Part, ...], part: Part) -> tuple[Part, ...]:
     """The parts with one more, in the order of the library."""
-    at = sum(other[0] < part[0] for other in parts)
+    if len(parts) == 1:  # the commonest case by far
+        return (*parts, part) if parts[0][0] < part[0] else (part, *parts)
+    at = sum([other[0] < part[0] for other in parts])
     return (*parts[:at], part, *parts[at:])

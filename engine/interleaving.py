@@ -43,12 +43,26 @@ class Interleaving(Hypotheses):
         """Weight and hypothesis, the best first. A price that all pay is left out of the weights (`_least`)."""
         level, weights = self._levels[-1], self._weights[-1]
         if self._scored is None or self._scored[0] is not level:
-            k, least = len(self.observations), self._least()
-            found = [(self._score(h, k, h[1] - least) * self._prior(h), h) for h in level if h[0]]
+            found = list(self._weighed_level())
             if weights is not None:
                 found = [(weight * weights[h][1], h) for weight, h in found]
             self._scored = level, sorted(found, key=lambda pair: (-pair[0], [plan for plan, _ in pair[1][0]]))
         return self._scored[1]
+
+    def _weighed_level(self) -> Iterator[tuple[float, Hypothesis]]:
+        """`_score` and `_prior` of every hypothesis of the level, in one go: there may be thousands."""
+        k, least, measure, priors, price = len(self.observations), self._least(), self.measure, self.priors, self.noise
+        for hypothesis in self._levels[-1]:
+            parts, needless = hypothesis
+            if parts:
+                size, missed, prior = 0, 0, 1.0
+                for plan, state in parts:
+                    size += state[2]
+                    missed += state[3]
+                    prior *= priors[plan]
+                above, below = measure(size, k - needless, missed)
+                weight = above / below if needless == least else (price or 1.0) ** (needless - least) * (above / below)
+                yield weight * prior, hypothesis
 
     def _least(self) -> int:
         """The fewest needless observations of an explanation: all others have at least as many."""

@@ -153,9 +153,10 @@ def test_goals_pursued_at_once_equal_brute_force(goals, library, seen, matcher, 
     assert engine.is_exact
     assert engine.count == sum(specified.values())
     found = list(engine.explanations())
+    by_plan = [sorted(f.parts, key=lambda part: library.index(part.plan)) for f in found]  # parts stand in the order of goals
     mine = Counter(
-        (tuple(library.index(p.plan) for p in f.parts), tuple(p.marks for p in f.parts), tuple(repr(p.binding) for p in f.parts))
-        for f in found
+        (tuple(library.index(p.plan) for p in parts), tuple(p.marks for p in parts), tuple(repr(p.binding) for p in parts))
+        for parts in by_plan
     )
     theirs = Counter()
     for (numbers, marks, bindings, _), times in specified.items():
