@@ -1,14 +1,19 @@
-"""Random plan libraries and episodes for the benchmarks: the same seed gives the same."""
+"""Random plan libraries for the benchmarks: the same seed gives the same."""
 
 from __future__ import annotations
 
 import random
+from collections.abc import Iterator, Sequence
+from itertools import combinations, count, cycle
+from typing import Literal, TypeAlias
 
-from casper.engine.observation import Observation
 from casper.kb.terms import Compound, Variable
+from casper.plans.library import PlanLibrary
 from casper.plans.plan import Action, Plan, Shape, Task
 
 THINGS = ("cup", "pot", "pan", "jar", "tray", "bowl")
+PARAMETERS = (Variable("X"), Variable("Y"))
+Order: TypeAlias = Literal["ordered", "partly", "unordered"]
 
 
 def chains(goals: int, leaves: int, symbols: int, seed: int = 0) -> list[Plan]:
@@ -20,50 +25,98 @@ def chains(goals: int, leaves: int, symbols: int, seed: int = 0) -> list[Plan]:
     ]
 
 
-def episode(plans: list[Plan], length: int, chance: random.Random, together: int = 1) -> list[Observation]:
-    """What is seen of some of the plans, interleaved: so many of each one's actions, in order."""
-    rows = []
-    for plan in chance.sample(plans, together):
-        seen = sorted(chance.sample(range(len(plan.leaves)), min(length, len(plan.leaves))))
-        rows.append([Observation(plan.leaves[at].functor) for at in seen])
-    return interleaved(rows, chance)
+def with_parameters(goals: int, leaves: int, symbols: int, seed: int = 0) -> list[Plan]:
+    """As `chains`; each goal has two parameters, and each action one of them and a thing."""
+    chance = random.Random(seed)
+    return [
+        Plan(f"g{n}", Task(Compound((f"g{n}", *PARAMETERS)), tuple(_action(symbols, chance) for _ in range(leaves))))
+        for n in range(goals)
+    ]
 
 
-def interleaved(rows: list[list[Observation]], chance: random.Random) -> list[Observation]:
-    """The rows shuffled into one another."""
-    rows, seen = [list(row) for row in rows], []
-    while any(rows):
-        seen.append(chance.choice([row for row in rows if row]).pop(0))
-    return seen
-
-
-def partly_ordered(goals: int, names: int, chance: random.Random) -> list[Plan]:
+def partly_ordered(goals: int, symbols: int, seed: int = 0) -> list[Plan]:
     """Goals of 5 to 17 partly ordered steps with two parameters each, about two pairs of the order a step."""
-    plans = []
+    chance, plans = random.Random(seed), []
     for number in range(goals):
-        parameters = (Variable("X"), Variable("Y"))
-        count = chance.randint(5, 17)
-        steps = tuple(
-            Action(Compound((f"a{chance.randrange(names)}", chance.choice(parameters), chance.choice(THINGS[:3]))))
-            for _ in range(count)
-        )
-        pairs = [(a, b) for a in range(count) for b in range(a + 1, count) if chance.random() < 2 / count]
-        shape = Shape("steps", steps, frozenset(pairs))
-        plans.append(Plan(f"g{number}", Task(Compound((f"g{number}", *parameters)), (shape,))))
+        steps = tuple(_action(symbols, chance) for _ in range(chance.randint(5, 17)))
+        pairs = frozenset(pair for pair in combinations(range(len(steps)), 2) if chance.random() < 2 / len(steps))
+        plans.append(Plan(f"g{number}", Task(Compound((f"g{number}", *PARAMETERS)), (Shape("steps", steps, pairs),))))
     return plans
 
 
-def carried_out(plan: Plan, chance: random.Random, missing: float = 0.1) -> list[Observation]:
-    """One order that a partly ordered plan allows, with its parameters settled, and some steps unseen."""
-    values = {parameter: chance.choice(THINGS) for parameter in plan.variables}
-    (shape,) = plan.root.children
-    assert isinstance(shape, Shape)
-    waiting, seen = set(range(len(plan.leaves))), []
-    while waiting:
-        ready = [step for step in sorted(waiting) if not any(b == step and a in waiting for a, b in shape.order)]
-        step = chance.choice(ready)
-        waiting.remove(step)
-        if chance.random() >= missing:
-            leaf = plan.leaves[step]
-            seen.append(Observation(leaf.functor, tuple(values.get(arg, arg) for arg in leaf.args)))
-    return seen
+def strands(goals: int, rows: int, leaves: int, symbols: int, seed: int = 0) -> list[Plan]:
+    """Goals of so many rows of steps that interleave, with two parameters each: several pots on the hobs."""
+    chance, plans = random.Random(seed), []
+    for number in range(goals):
+        made = [Shape("sequence", tuple(_action(symbols, chance) for _ in range(leaves))) for _ in range(rows)]
+        shape = Shape("unordered", tuple(made))
+        plans.append(Plan(f"g{number}", Task(Compound((f"g{number}", *PARAMETERS)), (shape,))))
+    return plans
+
+
+def _action(symbols: int, chance: random.Random) -> Action:
+    return Action(Compound((f"a{chance.randrange(symbols)}", chance.choice(PARAMETERS), chance.choice(THINGS[:3]))))
+
+
+def choices(tasks: int, alternatives: int, symbols: int, seed: int = 0) -> Plan:
+    """One goal of so many tasks, each done by any one of so many different actions."""
+    chance = random.Random(seed)
+    actions = [Action(Compound((f"a{n}",))) for n in range(symbols)]
+    made = tuple(Shape("choice", tuple(chance.sample(actions, alternatives))) for _ in range(tasks))
+    return Plan("g", Task(Compound(("g",)), made))
+
+
+class AndOr:
+    """Libraries of and/or trees in the manner of the PHATT literature, as text.
+
+    A goal is done by all of its tasks, a task by any one of its alternatives, and each of these by all of its tasks in
+    turn, down to actions. By default there are 5 goals and 245 productions.
+
+    Args:
+        goals: how many.
+        widths: for each level how many children its AND nodes have, taken in turn; the last level's are actions.
+        alternatives: how many children each OR node has.
+        symbols: how many action names the leaves are drawn from.
+        order: whether the children of an AND node follow one another, or each pair with a chance of a half, or no pair.
+    """
+
+    def __init__(
+        self,
+        goals: int = 5,
+        widths: Sequence[Sequence[int]] = ((3,), (3, 4), (2, 3)),
+        alternatives: int = 2,
+        symbols: int = 100,
+        order: Order = "partly",
+        seed: int = 0,
+    ) -> None:
+        self.alternatives, self.symbols, self.order = alternatives, symbols, order
+        self.chance, self.tasks = random.Random(seed), count()
+        self.widths = [cycle(level) for level in widths]
+        stated = [f"goal(g{number})." for number in range(goals)]
+        made = [line for number in range(goals) for line in self._production(f"g{number}", 0)]
+        self.text = "\n".join([*stated, *made])
+
+    def library(self) -> PlanLibrary:
+        """The text as a library."""
+        return PlanLibrary.from_text(self.text)
+
+    def _production(self, head: str, level: int) -> Iterator[str]:
+        """A production, and those of all tasks in it."""
+        width, is_last = next(self.widths[level]), level == len(self.widths) - 1
+        if is_last:
+            yield f"{head} --> {self._all_of([f'a{self.chance.randrange(self.symbols)}' for _ in range(width)])}."
+            return
+        tasks = [f"t{next(self.tasks)}" for _ in range(width)]
+        yield f"{head} --> {self._all_of(tasks)}."
+        for task in tasks:
+            for _ in range(self.alternatives):
+                yield from self._production(task, level + 1)
+
+    def _all_of(self, items: Sequence[str]) -> str:
+        if self.order == "ordered":
+            return ", ".join(items)
+        if self.order == "unordered":
+            return f"unordered({', '.join(items)})"
+        labelled = ", ".join(f"i{at}: {item}" for at, item in enumerate(items))
+        pairs = [pair for pair in combinations(range(len(items)), 2) if self.chance.random() < 0.5]
+        return f"steps([{labelled}], [{', '.join(f'i{a} < i{b}' for a, b in pairs)}])"
