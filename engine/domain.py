@@ -18,8 +18,8 @@ from casper.engine.matching import Matcher, Mismatch, NameMatcher, ParameterMatc
 from casper.engine.policy import policy_named
 from casper.engine.priors import priors_of
 from casper.engine.reading import Reading
-from casper.engine.recognisers import Options
-from casper.engine.scoring import score_named
+from casper.engine.recognition.recognisers import Options
+from casper.engine.recognition.scoring import score_named
 from casper.engine.situation import Situation
 from casper.engine.verified_matching import VerifyingMatcher, settle
 from casper.kb.base import KnowledgeBase
@@ -103,7 +103,7 @@ class Domain:
             verification: False sees action names only and never asks the knowledge base about an observation.
             noise: the factor on a score for each observation that is needless or misread; None: there are none.
             goals: how many goals the partner may pursue at once.
-            score: the name of a score (`engine.scoring`).
+            score: the name of a score (`engine.recognition.scoring`).
             budget: how many states are kept (None: 20,000; of two goals at once 50,000, of more 3,000). Where there
                 are more, the reading is not exact, and says so.
 

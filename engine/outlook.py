@@ -11,7 +11,7 @@ from typing import Any
 
 from casper.engine.collaboration import Capability, CollaborativePlan, collaborative_plan
 from casper.engine.matching import Binding
-from casper.engine.recognisers import Recogniser
+from casper.engine.recognition.recognisers import Recogniser
 from casper.engine.situation import Situation
 from casper.kb.terms import Compound, as_term
 from casper.kb.writer import term_text

@@ -15,14 +15,14 @@ from typing import Any
 from casper.engine.collaboration import Capability, CollaborativePlan, collaborative_plan
 from casper.engine.explanation import Explanation, Interleaved
 from casper.engine.matching import Matcher
-from casper.engine.noisy_pairs import NoisyPairs
 from casper.engine.observation import Observed, Seen, Uncertain, options_of, seen_of
 from casper.engine.outlook import Outlook
-from casper.engine.pairs import Pairs
 from casper.engine.policy import Policy, strict
 from casper.engine.questions import Question, questions
-from casper.engine.recognisers import PAPER, Options, Recogniser, recogniser
-from casper.engine.replay import Replay
+from casper.engine.recognition.noisy_pairs import NoisyPairs
+from casper.engine.recognition.pairs import Pairs
+from casper.engine.recognition.recognisers import PAPER, Options, Recogniser, recogniser
+from casper.engine.recognition.replay import Replay
 from casper.kb.errors import CasperError
 from casper.kb.terms import Compound, as_term
 from casper.kb.writer import term_text

@@ -18,7 +18,7 @@ from casper.engine.domain_relations import SHARING_NAMES
 from casper.engine.mind import Mind
 from casper.engine.observation import Seen
 from casper.engine.reading import Reading
-from casper.engine.scoring import name_of
+from casper.engine.recognition.scoring import name_of
 from casper.engine.supervisor import Commitment
 from casper.engine.verification import Verifier
 from casper.kb.errors import CasperError

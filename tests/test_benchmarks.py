@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from casper.engine.matching import NameMatcher, ParameterMatcher
 from casper.engine.observation import Observation
-from casper.engine.recognisers import PAPER, Options, recogniser
+from casper.engine.recognition.recognisers import PAPER, Options, recogniser
 from casper.kb.terms import Compound, Variable
 from casper.plans.plan import Action, Plan, Shape, Task
 

@@ -14,7 +14,7 @@ from timing import significant, told
 
 from casper.engine.matching import Matcher
 from casper.engine.observation import Observation
-from casper.engine.recognisers import Options, Recogniser, recogniser
+from casper.engine.recognition.recognisers import Options, Recogniser, recogniser
 from casper.plans.plan import Plan
 
 Episodes: TypeAlias = Sequence[Sequence[Observation]]

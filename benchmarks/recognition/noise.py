@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 
 from comparison import compared
 from episodes import carried_out, episode
@@ -10,7 +11,7 @@ from libraries import chains, with_parameters
 from timing import median, told
 
 from casper.engine.matching import NameMatcher, ParameterMatcher
-from casper.engine.recognisers import Options, recogniser
+from casper.engine.recognition.recognisers import Options, recogniser
 
 NOISE = Options(noise=0.1)
 
@@ -26,7 +27,7 @@ def large(quick: bool) -> None:
 
 
 def small() -> None:
-    """Against the baseline: by names, and with parameters."""
+    """Against the baseline: by names, with parameters, and two goals at once."""
     chance = random.Random(1)
     plans = chains(20, 24, 5)
     for length in (5, 10):
@@ -35,6 +36,9 @@ def small() -> None:
     plans = with_parameters(20, 24, 5)
     episodes = [carried_out(plan, chance, missing=0.5)[:9] for plan in chance.sample(plans, 3)]
     compared("  with parameters, 9 observations", plans, ParameterMatcher(plans), NOISE, episodes)
+    plans = chains(20, 12, 5)
+    seen, two = episode(plans, 2, chance, together=2), replace(NOISE, goals=2)
+    compared("noise, two of 20 goals x 12 leaves, 5 names, 4 observations", plans, NameMatcher(plans), two, [seen])
 
 
 def figures(quick: bool) -> None:

@@ -12,10 +12,10 @@ from episodes import blurred, carried_out, episode, interleaved
 from libraries import AndOr, chains, partly_ordered, strands, with_parameters
 from timing import median, significant, times, told
 
-from casper.engine.interleaving import Interleaving
 from casper.engine.matching import NameMatcher, ParameterMatcher
 from casper.engine.observation import Observation
-from casper.engine.recognisers import Options, recogniser
+from casper.engine.recognition.interleaving import Interleaving
+from casper.engine.recognition.recognisers import Options, recogniser
 from casper.plans.plan import Plan
 
 TWO = Options(goals=2)

@@ -10,7 +10,7 @@ from episodes import blurred, carried_out
 from libraries import AndOr, Order, choices, strands
 
 from casper.engine.matching import NameMatcher, ParameterMatcher
-from casper.engine.recognisers import PAPER
+from casper.engine.recognition.recognisers import PAPER
 from casper.plans.plan import Action, Node, Shape
 
 AND_OR: tuple[tuple[Order, int, float | None], ...] = (  # order, action names, bound in ms

@@ -11,7 +11,7 @@ from casper.engine.collaboration import collaborative_plan, longest_run
 from casper.engine.matching import NameMatcher
 from casper.engine.policy import best
 from casper.engine.reading import Reading
-from casper.engine.recognisers import Options
+from casper.engine.recognition.recognisers import Options
 from casper.engine.situation import Situation
 from casper.engine.supervisor import Supervisor
 from casper.plans.library import PlanLibrary

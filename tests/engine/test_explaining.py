@@ -7,11 +7,11 @@ from itertools import islice
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from casper.engine.counting import Counting
 from casper.engine.explanation import Explanation
 from casper.engine.matching import NameMatcher, ParameterMatcher
 from casper.engine.observation import Observation
-from casper.engine.tree_copying import MarkedTree, explanations
+from casper.engine.recognition.counting import Counting
+from casper.engine.recognition.tree_copying import MarkedTree, explanations
 from casper.kb.terms import Compound, Variable
 from casper.plans.plan import Action, Plan, Task
 

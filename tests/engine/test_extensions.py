@@ -11,10 +11,10 @@ from brute_force import Told, explanations, rows
 from hypothesis import given
 from hypothesis import strategies as st
 
-from casper.engine.counting import Counting
 from casper.engine.explanation import Explanation
 from casper.engine.matching import NameMatcher, ParameterMatcher
 from casper.engine.observation import Observation, Uncertain
+from casper.engine.recognition.counting import Counting
 from casper.kb.terms import Compound, Variable
 from casper.plans.library import PlanLibrary
 from casper.plans.plan import Action, Node, Plan, Shape, Task

@@ -12,13 +12,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from test_extensions import certain, chains, distinct, libraries, plans
 
-from casper.engine.arrays import Arrays
-from casper.engine.chains import Chains
-from casper.engine.counting import Counting
-from casper.engine.interleaving import Interleaving
 from casper.engine.matching import NameMatcher, ParameterMatcher
 from casper.engine.observation import Observation
-from casper.engine.pairs import Pairs
+from casper.engine.recognition.arrays import Arrays
+from casper.engine.recognition.chains import Chains
+from casper.engine.recognition.counting import Counting
+from casper.engine.recognition.interleaving import Interleaving
+from casper.engine.recognition.pairs import Pairs
 from casper.kb.terms import Compound
 from casper.plans.plan import Action, Plan, Task
 

@@ -12,15 +12,15 @@ from hypothesis import strategies as st
 from test_extensions import PRICES, chains, distinct, libraries
 from test_fast_engines import NAMES, plain
 
-from casper.engine.counting import Counting
 from casper.engine.matching import NameMatcher, ParameterMatcher
 from casper.engine.observation import Observation
-from casper.engine.scoring import least_tie
+from casper.engine.recognition.counting import Counting
+from casper.engine.recognition.scoring import least_tie
 from casper.kb.terms import Compound, Variable
 from casper.plans.plan import Action, Plan, Task
 
 pytest.importorskip("numpy")
-from casper.engine.noisy_arrays import NoisyArrays
+from casper.engine.recognition.noisy_arrays import NoisyArrays
 
 LIBRARIES = libraries(chains, 4).map(distinct)  # of one goal there may be several plans, of any lengths
 

@@ -14,14 +14,14 @@ from test_extensions import PRICES, chains, distinct, libraries
 from test_fast_engines import NAMES, by_end, plain
 from test_noisy_arrays import priors_of
 
-from casper.engine.interleaving import Interleaving
 from casper.engine.matching import NameMatcher, ParameterMatcher
 from casper.engine.observation import Observation, Uncertain
+from casper.engine.recognition.interleaving import Interleaving
 from casper.kb.terms import Compound, Variable
 from casper.plans.plan import Action, Plan, Task
 
 pytest.importorskip("numpy")
-from casper.engine.noisy_pairs import NoisyPairs, fits
+from casper.engine.recognition.noisy_pairs import NoisyPairs, fits
 
 LIBRARIES = libraries(lambda label: chains(label, 5), 4).map(distinct)  # of one goal there may be several plans
 SMALL = st.sampled_from([1e-5, 1e-60, 1e-110, 1e-160, 1e-250, 5e-324])

@@ -8,17 +8,17 @@ from math import log2
 import pytest
 
 from casper import Domain
-from casper.engine.arrays import Arrays
-from casper.engine.chains import Chains
-from casper.engine.counting import Counting
-from casper.engine.interleaving import Interleaving
 from casper.engine.matching import NameMatcher, ParameterMatcher
-from casper.engine.noisy_arrays import NoisyArrays
-from casper.engine.noisy_pairs import NoisyPairs
-from casper.engine.pairs import Pairs
 from casper.engine.questions import entropy
 from casper.engine.reading import Reading
-from casper.engine.recognisers import Options
+from casper.engine.recognition.arrays import Arrays
+from casper.engine.recognition.chains import Chains
+from casper.engine.recognition.counting import Counting
+from casper.engine.recognition.interleaving import Interleaving
+from casper.engine.recognition.noisy_arrays import NoisyArrays
+from casper.engine.recognition.noisy_pairs import NoisyPairs
+from casper.engine.recognition.pairs import Pairs
+from casper.engine.recognition.recognisers import Options
 from casper.kb.errors import CasperError
 from casper.plans.library import PlanLibrary
 

@@ -4,7 +4,7 @@ Counts are kept only on the leaves of the last name. For each ordered pair of na
 b's leaves, and the beginnings of their plans, fall among a's. An update is then one cumulative sum over a's leaves and
 two gathers over b's. Sums wrap around in 64 bits where they run over many plans, but differences within a plan come
 out exact as long as a plan has at most 66 leaves; longer ones are counted in Python's integers. Counts are exact;
-posteriors agree with `engine.counting` to a relative 1e-12. Memory: at most `KEPT` numbers a leaf are kept for cuts
+posteriors agree with `counting` to a relative 1e-12. Memory: at most `KEPT` numbers a leaf are kept for cuts
 and scores.
 """
 
@@ -19,8 +19,8 @@ from typing import Any, TypeAlias
 from casper.engine.matching import Binding, Matcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
-from casper.engine.replay import Replay
-from casper.engine.scoring import least_tie
+from casper.engine.recognition.replay import Replay
+from casper.engine.recognition.scoring import least_tie
 from casper.plans.plan import Plan
 
 Array: TypeAlias = Any  # numpy.ndarray; numpy is imported when the first large library is read
@@ -59,7 +59,7 @@ class Shares(Mapping[str, float]):
 
 
 class Arrays(Replay):
-    """Counts for many chains, by names. Interface: `casper.engine.replay.Replay`."""
+    """Counts for many chains, by names. Interface: `replay.Replay`."""
 
     def __init__(self, plans: Sequence[Plan], matcher: Matcher, priors: Sequence[float] | None = None) -> None:
         import numpy as np

@@ -8,7 +8,7 @@ rows U = T[A] of those states A are kept. When the next observation has the stat
     T[x, y] = S[x, y] + [y in B] S[y, x]                                    for x in B
 
 which is a cumulative sum along each axis of U, and gathers. Explanations of one goal only come from
-`engine.arrays`. `engine.interleaving` is the specification.
+`arrays`. `interleaving` is the specification.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ from heapq import heapify, heappop, heappush
 from itertools import count
 from typing import Any
 
-from casper.engine.arrays import Array, Arrays, Shares
 from casper.engine.explanation import Interleaved
-from casper.engine.interleaving import Interleaving
-from casper.engine.levels import positions_of
 from casper.engine.matching import Binding, Matcher, Mismatch, NameMatcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
-from casper.engine.scoring import least_tie
+from casper.engine.recognition.arrays import Array, Arrays, Shares
+from casper.engine.recognition.interleaving import Interleaving
+from casper.engine.recognition.levels import positions_of
+from casper.engine.recognition.scoring import least_tie
 from casper.plans.plan import Plan
 
 
 class Pairs:
-    """Counts for one or two goals at once. Interface: `casper.engine.recognisers.Recogniser`."""
+    """Counts for one or two goals at once. Interface: `recognisers.Recogniser`."""
 
     def __init__(self, plans: Sequence[Plan], matcher: Matcher, priors: Sequence[float] | None = None) -> None:
         import numpy as np

@@ -14,8 +14,8 @@ marks (all take the others for needless, so their price is left out). Then it we
 where mass is, by pair of plans, the sum of such scores. W grows with q. So of the explanations that end in x and y the
 best mark most, and what is best can only change in the rows of o; the ends close to the best are kept from one
 observation to the next, since an end that is left behind can only catch up by a mark. Among them floats decide,
-computed as `engine.interleaving` does, which is the specification. Counts, the best weight and ties are exact, sums of
-scores agree to a relative 1e-12. `engine.pair_counts` does the sums, `engine.noisy_arrays` explanations of one goal.
+computed as `interleaving` does, which is the specification. Counts, the best weight and ties are exact, sums of
+scores agree to a relative 1e-12. `pair_counts` does the sums, `noisy_arrays` explanations of one goal.
 """
 
 from __future__ import annotations
@@ -28,15 +28,15 @@ from itertools import count
 from math import prod
 from typing import TypeAlias
 
-from casper.engine.arrays import Array, Shares
 from casper.engine.explanation import Interleaved
-from casper.engine.interleaving import Interleaving
 from casper.engine.matching import Binding, Matcher, Mismatch, NameMatcher
-from casper.engine.noisy_arrays import CLOSE, NoisyArrays
 from casper.engine.observation import Seen
-from casper.engine.pair_counts import Ends, PairCounts, States, exactly, memory, no_ends, wide
 from casper.engine.policy import Standing
-from casper.engine.scoring import least_tie
+from casper.engine.recognition.arrays import Array, Shares
+from casper.engine.recognition.interleaving import Interleaving
+from casper.engine.recognition.noisy_arrays import CLOSE, NoisyArrays
+from casper.engine.recognition.pair_counts import Ends, PairCounts, States, exactly, memory, no_ends, wide
+from casper.engine.recognition.scoring import least_tie
 from casper.plans.plan import Plan
 
 UNBOUNDED = 1 << 60  # hypotheses
@@ -78,7 +78,7 @@ class Ties:
 
 
 class NoisyPairs:
-    """Counts for one or two goals at once. Interface: `casper.engine.recognisers.Recogniser`.
+    """Counts for one or two goals at once. Interface: `recognisers.Recogniser`.
 
     A level is never changed once made, and shares what its observation left as it was; so `undo` is exact, and `fork`
     copies a list. Counts are exact beyond 64 bits too, but slow.

@@ -13,9 +13,9 @@ others for needless, so their price is left out) each of them weighs prior * W[q
 and mass is a plan's sum of such scores. Of the explanations that end in j the best marks most: W grows with q, and
 D[q, j] > 0 follows from D[q + 1, j] > 0 (mark one less, at the beginning). So what is best can only change on the
 leaves named o. Those close to the best are kept from one observation to the next, since a leaf that is left behind can
-only catch up by a mark; among them floats decide, computed as `engine.counting` does. Counts, the best explanation and
+only catch up by a mark; among them floats decide, computed as `counting` does. Counts, the best explanation and
 ties are exact, sums of scores agree to a relative 1e-12.
-`casper.engine.blocks` does the sums.
+`blocks` does the sums.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ from heapq import heappop
 from itertools import chain
 from typing import Any
 
-from casper.engine.arrays import Array, Shares
-from casper.engine.blocks import Layout, Leaves, Table
-from casper.engine.counting import Counting
 from casper.engine.explanation import Explanation
 from casper.engine.matching import Binding, Matcher, NameMatcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
-from casper.engine.replay import Replay
-from casper.engine.scoring import least_tie
-from casper.engine.states import NEEDLESS
-from casper.engine.tracing import first_marks
+from casper.engine.recognition.arrays import Array, Shares
+from casper.engine.recognition.blocks import Layout, Leaves, Table
+from casper.engine.recognition.counting import Counting
+from casper.engine.recognition.replay import Replay
+from casper.engine.recognition.scoring import least_tie
+from casper.engine.recognition.states import NEEDLESS
+from casper.engine.recognition.tracing import first_marks
 from casper.plans.plan import Plan
 
 CLOSE = 1 - 1e-9  # weights this near to the best may be equal to it as floats, now or later
@@ -64,7 +64,7 @@ class Level:
 
 
 class NoisyArrays(Replay):
-    """Counts for many chains, by names, where observations may be needless. Interface: `casper.engine.replay.Replay`.
+    """Counts for many chains, by names, where observations may be needless. Interface: `replay.Replay`.
 
     An observation keeps the counts of its own name, so `undo` is exact and `fork` copies a list. The table in which
     sums are made is one for all forks (as many rows as were ever marked, a number a leaf).

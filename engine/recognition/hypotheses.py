@@ -1,4 +1,4 @@
-"""Counts by hypothesis, observation after observation: the lower half of `casper.engine.interleaving`.
+"""Counts by hypothesis, observation after observation: the lower half of `interleaving`.
 
 A *hypothesis* is the plans pursued with the state of each. There are as many as combinations of states; of more than
 the budget the most promising go on, counts and sums are lower bounds from then on, and `Hypotheses.is_exact` says so.
@@ -11,11 +11,11 @@ from heapq import nlargest
 from math import prod
 from typing import Self, TypeAlias
 
-from casper.engine.levels import is_certain, positions_of
 from casper.engine.matching import Binding, Matcher, Mismatch
 from casper.engine.observation import Observation, Seen, options_of
-from casper.engine.scoring import Score, paper
-from casper.engine.states import NEEDLESS, State, Weight, start
+from casper.engine.recognition.levels import is_certain, positions_of
+from casper.engine.recognition.scoring import Score, paper
+from casper.engine.recognition.states import NEEDLESS, State, Weight, start
 from casper.plans.plan import Plan
 
 Part: TypeAlias = tuple[int, State]  # plan, and where it stands
@@ -35,7 +35,7 @@ class Hypotheses:
     """Counts for up to so many goals at once.
 
     Args:
-        plans, matcher, noise, priors, measure: as for `casper.engine.counting.Counting`.
+        plans, matcher, noise, priors, measure: as for `counting.Counting`.
         goals: how many goals may be pursued at once.
         budget: how many hypotheses are kept; None for `MOST_KEPT` of up to two goals, else `MOST_SEARCHED`.
     """

@@ -1,4 +1,4 @@
-"""Counts of explanations on the leaves of many chains, as blocks (numpy): what `casper.engine.noisy_arrays` sums over.
+"""Counts of explanations on the leaves of many chains, as blocks (numpy): what `noisy_arrays` sums over.
 
 Leaves lie by their place in the plan: all first ones, all second ones, those of longer plans first. So the leaves at
 one place are one block, and a sum to the left is one pass of additions of whole blocks, in the narrowest integers that
@@ -15,7 +15,7 @@ from math import comb
 from threading import Lock
 from typing import Any
 
-from casper.engine.arrays import Array
+from casper.engine.recognition.arrays import Array
 from casper.plans.plan import Plan
 
 

@@ -5,7 +5,7 @@ goal has at least one and within each plan Algorithm 1 holds. Its score is the p
 plans: observed and missed leaves add up. What is yet to come depends on the *hypothesis* only, the plans with the state
 of each, so a level counts explanations by hypothesis.
 
-There are as many hypotheses as combinations of states (`casper.engine.hypotheses`). For two goals all are kept, and
+There are as many hypotheses as combinations of states (`hypotheses`). For two goals all are kept, and
 everything is exact; for more, and where even those of two are too many, it is a best-first search that says so.
 """
 
@@ -15,16 +15,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby, takewhile
 
 from casper.engine.explanation import Explanation, Interleaved
-from casper.engine.hypotheses import Counts, Hypotheses, Hypothesis, Mark, Part
 from casper.engine.matching import Binding
-from casper.engine.paths import best_first
 from casper.engine.policy import Standing
-from casper.engine.scoring import least_tie
-from casper.engine.states import NEEDLESS
+from casper.engine.recognition.hypotheses import Counts, Hypotheses, Hypothesis, Mark, Part
+from casper.engine.recognition.paths import best_first
+from casper.engine.recognition.scoring import least_tie
+from casper.engine.recognition.states import NEEDLESS
 
 
 class Interleaving(Hypotheses):
-    """What the counts say. Interface: `casper.engine.recognisers.Recogniser`; arguments: `Hypotheses`."""
+    """What the counts say. Interface: `recognisers.Recogniser`; arguments: `Hypotheses`."""
 
     _scored: tuple[Counts, list[tuple[float, Hypothesis]]] | None = None  # the hypotheses of a level
 

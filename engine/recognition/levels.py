@@ -1,4 +1,4 @@
-"""Counts by state, observation after observation: the counting engine's lower half (`casper.engine.counting`).
+"""Counts by state, observation after observation: the counting engine's lower half (`counting`).
 
 What a level counts is exact until there are more than ``budget`` states. Then the most promising go on, counts and
 sums are lower bounds, and `Levels.is_exact` says so.
@@ -12,8 +12,8 @@ from typing import Self
 
 from casper.engine.matching import Binding, Matcher, Mismatch
 from casper.engine.observation import Observation, Seen, options_of
-from casper.engine.scoring import Score, paper
-from casper.engine.states import MOST_STATES, Edges, Level, State, Weight, advance, start, weigh
+from casper.engine.recognition.scoring import Score, paper
+from casper.engine.recognition.states import MOST_STATES, Edges, Level, State, Weight, advance, start, weigh
 from casper.plans.plan import Plan
 
 

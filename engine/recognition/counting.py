@@ -13,7 +13,7 @@ For a plan whose actions simply follow one another the closed leaves are those u
     C_1[j] = [leaf j can be o_1]        C_k[j] = [leaf j can be o_k] * sum of C_{k-1}[i] over i < j
 
 The score depends on the state only, so exact counts, posteriors, the best explanation, ties and a best-first stream
-follow without enumerating any. ``docs/recognition.md`` says what every extension means; `engine.tree_copying` is the
+follow without enumerating any. ``docs/recognition.md`` says what every extension means; `tree_copying` is the
 specification of the plain case, brute force that of the others (tests).
 """
 
@@ -25,12 +25,12 @@ from heapq import heapify, heappop, heappush
 from itertools import count, takewhile
 
 from casper.engine.explanation import Explanation
-from casper.engine.levels import Levels
 from casper.engine.matching import Binding
-from casper.engine.paths import best_first
 from casper.engine.policy import Standing
-from casper.engine.scoring import least_tie
-from casper.engine.states import NEEDLESS, Level, State, successors
+from casper.engine.recognition.levels import Levels
+from casper.engine.recognition.paths import best_first
+from casper.engine.recognition.scoring import least_tie
+from casper.engine.recognition.states import NEEDLESS, Level, State, successors
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +66,7 @@ class Found:
 
 
 class Counting(Levels):
-    """What the counts say. Interface: `casper.engine.recognisers.Recogniser`; arguments: `engine.levels.Levels`."""
+    """What the counts say. Interface: `recognisers.Recogniser`; arguments: `levels.Levels`."""
 
     _grouped: tuple[dict[int, Level], list[Group]] | None = None  # the groups of a level
 

@@ -1,4 +1,4 @@
-"""Counts of explanations on pairs of states of many chains, as blocks (numpy): `casper.engine.noisy_pairs` sums them.
+"""Counts of explanations on pairs of states of many chains, as blocks (numpy): `noisy_pairs` sums them.
 
 A state is a plan's beginning or one of its leaves. T_q[x, y] is symmetric, and other than zero only between beginnings
 and leaves whose names were seen, so it is kept as *blocks* T[a, b], one for each two names seen so far; beginnings go
@@ -20,7 +20,7 @@ from dataclasses import dataclass, field
 from math import comb
 from typing import Any, TypeAlias
 
-from casper.engine.arrays import Array
+from casper.engine.recognition.arrays import Array
 from casper.plans.plan import Plan
 
 BEGIN = ""  # no action's name

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from casper.engine.states import NEEDLESS
+from casper.engine.recognition.states import NEEDLESS
 
 IMPOSSIBLE = -1
 

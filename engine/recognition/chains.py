@@ -6,7 +6,7 @@ the counts kept as running sums, an update is one look-up for each b-leaf, and t
 
     k/n^2 * sum_i C[i] * (right[i] + k)        right[i]: the leaves right of the i-th b-leaf
 
-`engine.counting` is the specification.
+`counting` is the specification.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeAlias
 
-from casper.engine.levels import positions_of
 from casper.engine.matching import Binding, Matcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
-from casper.engine.replay import Replay
-from casper.engine.scoring import least_tie
+from casper.engine.recognition.levels import positions_of
+from casper.engine.recognition.replay import Replay
+from casper.engine.recognition.scoring import least_tie
 from casper.plans.plan import Plan
 
 Row: TypeAlias = tuple[int, int, tuple[tuple[int, int], ...]]
@@ -34,7 +34,7 @@ of all scores, weighed by priors."""
 
 
 class Chains(Replay):
-    """Counts for chains, by names. Interface: `casper.engine.replay.Replay`."""
+    """Counts for chains, by names. Interface: `replay.Replay`."""
 
     def __init__(self, plans: Sequence[Plan], matcher: Matcher, priors: Sequence[float] | None = None) -> None:
         super().__init__(plans, matcher, priors)

@@ -7,13 +7,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, Self
 
-from casper.engine.counting import Counting
 from casper.engine.explanation import Explanation, Interleaved
 from casper.engine.matching import Binding, Matcher, Mismatch, NameMatcher, ParameterMatcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
-from casper.engine.scoring import Score, paper
-from casper.engine.states import MOST_STATES
+from casper.engine.recognition.counting import Counting
+from casper.engine.recognition.scoring import Score, paper
+from casper.engine.recognition.states import MOST_STATES
 from casper.kb.errors import CasperError
 from casper.plans.plan import Plan, is_plain
 
@@ -113,31 +113,31 @@ def recogniser(plans: Sequence[Plan], matcher: Matcher, options: Options) -> Rec
     priors = [options.priors[plan.label] for plan in plans] if options.priors else None
     plain = by_name and options.noise is None
     if options.goals > 1:
-        from casper.engine.interleaving import Interleaving
+        from casper.engine.recognition.interleaving import Interleaving
 
         if plain and options.goals == 2 and len(plans) >= MANY_PAIRS and _has_numpy():
-            from casper.engine.pairs import Pairs, fits
+            from casper.engine.recognition.pairs import Pairs, fits
 
             if fits(plans):
                 return Pairs(plans, matcher, priors)
         elif by_name and options.goals == 2 and len(plans) >= MANY_PAIRS and _has_numpy():
-            from casper.engine import noisy_pairs
+            from casper.engine.recognition import noisy_pairs
 
             if options.noise is not None and noisy_pairs.fits(plans):
                 return noisy_pairs.NoisyPairs(plans, matcher, options.noise, priors)
         return Interleaving(plans, matcher, options.goals, options.noise, priors, options.measure, options.budget)
     if by_name and options.noise is not None and _leaves_looked_at(plans) >= MANY_NOISY_LEAVES and _has_numpy():
-        from casper.engine.noisy_arrays import NoisyArrays
+        from casper.engine.recognition.noisy_arrays import NoisyArrays
 
         return NoisyArrays(plans, matcher, options.noise, priors)
     if not plain:
         budget = options.budget or MOST_STATES
         return Counting(plans, matcher, options.noise, priors, options.measure, budget)
     if not _is_large(plans) or not _has_numpy():
-        from casper.engine.chains import Chains
+        from casper.engine.recognition.chains import Chains
 
         return Chains(plans, matcher, priors)
-    from casper.engine.arrays import Arrays
+    from casper.engine.recognition.arrays import Arrays
 
     return Arrays(plans, matcher, priors)
 

@@ -1,0 +1,1 @@
+"""Plan recognition: engines that give the same answers, and the specification that says what the answers are."""
