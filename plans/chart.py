@@ -83,8 +83,10 @@ class Chart:
         entered |= joined
         missed += (newly & self.belonging(entered)).bit_count() - 1
         closed |= newly
-        still_open = sum(1 << at for at in bits(entered) if self.parts[at].leaves & ~closed)
-        return (closed, still_open, size, missed)
+        for at in bits(entered):
+            if not self.parts[at].leaves & ~closed:  # it is over
+                entered ^= 1 << at
+        return (closed, entered, size, missed)
 
     def directly_before(self, leaf: int) -> list[int]:
         """The leaves that must come before this one, but for those that must come before another of them."""

@@ -244,13 +244,13 @@ class Arrays(Replay):
         best = self.best()
         if best is None:
             return None
-        top, plan, right, _ = best
-        at, counts, _ = self._living()
-        goals = self._goal[self._names[self._levels[-1][0] or ""].plan[at]]
+        top, plan, _, _ = best
+        (at, counts, _), here = self._living(), self._names[self._levels[-1][0] or ""]
         ties = self._weights() >= least_tie(top)
-        rivals = int(counts[ties & (goals != self._goal[plan])].sum())
-        missed = len(self.plans[plan].leaves) - right - len(self.observations)
-        return Standing(self.count, self.labels[plan], missed, rivals, int(counts[ties].sum()))
+        same = ties & (self._goal[here.plan.take(at)] == self._goal[plan])
+        missed = (here.at.take(at) - here.begin.take(at))[same].min() + 1 - len(self.observations)
+        every = int(counts[ties].sum())
+        return Standing(self.count, self.labels[plan], int(missed), every - int(counts[same].sum()), every)
 
 
 def _by_name(np: Any, plans: Sequence[Plan], lengths: Array) -> dict[str, Leaves]:

@@ -179,10 +179,10 @@ class Chains(Replay):
         best = self.best()
         if best is None:
             return None
-        weight, plan, left, _ = best
-        label, labels = self.labels[plan], self.labels
+        weight, plan, _, _ = best
+        label, labels, k = self.labels[plan], self.labels, len(self.observations)
         least = least_tie(weight)
-        equal = [(ties, labels[p] != label) for other, p, _, ties in self.tops() if other >= least]
-        missed = len(self.plans[plan].leaves) - left - len(self.observations)
-        rivals = sum([ties for ties, is_rival in equal if is_rival])
-        return Standing(self.count, label, missed, rivals, sum([ties for ties, _ in equal]))
+        equal = [top for top in self.tops() if top[0] >= least]
+        missed = min([len(self.plans[p].leaves) - left - k for _, p, left, _ in equal if labels[p] == label])
+        rivals = sum([ties for _, p, _, ties in equal if labels[p] != label])
+        return Standing(self.count, label, missed, rivals, sum([ties for _, _, _, ties in equal]))

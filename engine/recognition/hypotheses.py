@@ -1,7 +1,7 @@
 """Counts by hypothesis, observation after observation: the lower half of `interleaving`.
 
 A *hypothesis* is the plans pursued with the state of each. There are as many as combinations of states; of more than
-the budget the most promising go on, counts and sums are lower bounds from then on, and `Hypotheses.is_exact` says so.
+the budget the most promising go on, counts and sums are lower bounds from then on, and `Stacks.is_exact` says so.
 """
 
 from __future__ import annotations
@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from heapq import nlargest
 from math import prod
-from typing import Self, TypeAlias
+from typing import TypeAlias
 
 from casper.engine.matching import Binding, Matcher, Mismatch
 from casper.engine.observation import Observation, Seen, options_of
 from casper.engine.recognition.levels import is_certain, positions_of
 from casper.engine.recognition.scoring import Score, paper
+from casper.engine.recognition.stacks import Stacks
 from casper.engine.recognition.states import NEEDLESS, State, Weight, start
 from casper.plans.plan import Plan
 
@@ -31,7 +32,7 @@ MOST_KEPT = 50_000  # of up to two goals
 MOST_SEARCHED = 3000  # of more goals
 
 
-class Hypotheses:
+class Hypotheses(Stacks):
     """Counts for up to so many goals at once.
 
     Args:
@@ -39,6 +40,8 @@ class Hypotheses:
         goals: how many goals may be pursued at once.
         budget: how many hypotheses are kept; None for `MOST_KEPT` of up to two goals, else `MOST_SEARCHED`.
     """
+
+    STACKS = (*Stacks.STACKS, "_levels", "_trails", "_weights")
 
     def __init__(
         self,
@@ -50,7 +53,8 @@ class Hypotheses:
         measure: Score = paper,
         budget: int | None = None,
     ) -> None:
-        self.plans, self.matcher, self.goals, self.noise = plans, matcher, goals, noise
+        super().__init__(matcher)
+        self.plans, self.goals, self.noise = plans, goals, noise
         self.measure = measure
         self.budget = budget or (MOST_SEARCHED if goals > EXACT_GOALS else MOST_KEPT)
         self.priors = priors or (1.0,) * len(plans)
@@ -59,14 +63,10 @@ class Hypotheses:
         self.charts = [plan.chart for plan in plans]
         self._holders: dict[str, list[tuple[int, list[int]]]] = {}  # by action: plans and their leaves of that name
         self._starts: dict[int, State] = {}
-        self.observations: list[Seen] = []
-        self._noted: dict[int, list[Mismatch]] = {}
-        self.mismatches = [self._noted]
         self._levels: list[Counts] = [{((), 0): 1}]
         self._trails: list[Trail] = []
         self._weights: list[dict[Hypothesis, Weight] | None] = [None]
-        self._exact = [True]
-        self._is_exact = True  # whether the observation that is taken in just now dropped nothing
+        self._all_kept = True  # whether the observation that is taken in just now dropped nothing
         for number, plan in enumerate(plans):
             binding = matcher.initial(number)
             if isinstance(binding, Mismatch):
@@ -80,14 +80,14 @@ class Hypotheses:
 
     def observe(self, seen: Seen) -> None:
         """Advance every hypothesis by one observation."""
-        self._noted, self._is_exact = {}, True
+        self._noted, self._all_kept = {}, True
         certain, k = is_certain(seen), len(self.observations) + 1
         trail = self._trail(options_of(seen))
         earlier = self._levels[-1]
         counts = {after: sum([earlier[before] for before, _, _ in steps]) for after, steps in trail.items()}
         weights = self._weighed(trail, certain)
         if len(counts) > self.budget:
-            self._is_exact = False
+            self._all_kept = False
             kept = nlargest(self.budget, counts, key=lambda h: self._promise(h, k, weights))
             counts = {hypothesis: counts[hypothesis] for hypothesis in kept}
             trail = {hypothesis: trail[hypothesis] for hypothesis in kept}
@@ -95,7 +95,7 @@ class Hypotheses:
         self._levels.append(counts)
         self._trails.append(trail)
         self._weights.append(weights)
-        self._exact.append(self._exact[-1] and self._is_exact)
+        self.exact.append(self.is_exact and self._all_kept)
         self.observations.append(seen)
         self.matcher.observed(options_of(seen)[0][0] if certain else Observation(seen.action))
 
@@ -134,10 +134,11 @@ class Hypotheses:
 
     def _begun(self, begun: list[Begun]) -> list[Begun]:
         """Goals that may be begun; those that miss least, where there are too many to try with every hypothesis."""
-        room = max(1, 4 * self.budget // max(1, len(self._levels[-1])))
+        beginning = sum(len(parts) < self.goals for parts, _ in self._levels[-1])  # hypotheses that may begin another
+        room = max(1, 4 * self.budget // max(1, beginning))
         if len(begun) <= room:
             return begun
-        self._is_exact = False
+        self._all_kept = False
         return sorted(begun, key=lambda found: found[2][3])[:room]
 
     def _moves(
@@ -187,29 +188,6 @@ class Hypotheses:
         likelihood = weights[hypothesis][1] if weights is not None else 1.0
         price = len(parts) + needless + sum(state[3] for _, state in parts)
         return -price, self._score(hypothesis, k, needless) * self._prior(hypothesis) * likelihood
-
-    def undo(self) -> None:
-        """Take back the last observation."""
-        for stack in (self.observations, self.mismatches, self._levels, self._trails, self._weights, self._exact):
-            stack.pop()
-        self.matcher.forget()
-
-    def fork(self) -> Self:
-        """A copy that goes its own way; what was counted so far is shared."""
-        other = object.__new__(type(self))
-        other.__dict__.update(self.__dict__)
-        other.matcher = self.matcher.fork()
-        for name in ("observations", "mismatches", "_levels", "_trails", "_weights", "_exact"):
-            setattr(other, name, list(getattr(self, name)))
-        return other
-
-    def _note(self, plan: int, mismatch: Mismatch) -> None:
-        self._noted.setdefault(plan, []).append(mismatch)
-
-    @property
-    def is_exact(self) -> bool:
-        """Whether no hypothesis was dropped so far."""
-        return self._exact[-1]
 
     def _score(self, hypothesis: Hypothesis, k: int, priced: int) -> float:
         """Of an explanation of k observations that ends here: its score; 0 where everything is needless.

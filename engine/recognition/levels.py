@@ -1,23 +1,23 @@
 """Counts by state, observation after observation: the counting engine's lower half (`counting`).
 
 What a level counts is exact until there are more than ``budget`` states. Then the most promising go on, counts and
-sums are lower bounds, and `Levels.is_exact` says so.
+sums are lower bounds, and `Stacks.is_exact` says so.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from heapq import nlargest
-from typing import Self
 
 from casper.engine.matching import Binding, Matcher, Mismatch
 from casper.engine.observation import Observation, Seen, options_of
 from casper.engine.recognition.scoring import Score, paper
+from casper.engine.recognition.stacks import Stacks
 from casper.engine.recognition.states import MOST_STATES, Edges, Level, State, Weight, advance, start, weigh
 from casper.plans.plan import Plan
 
 
-class Levels:
+class Levels(Stacks):
     """Counts for some plans, observation by observation; ``undo`` takes the last one back.
 
     Args:
@@ -29,6 +29,8 @@ class Levels:
         budget: how many states are kept.
     """
 
+    STACKS = (*Stacks.STACKS, "levels", "_edges", "_weights")
+
     def __init__(
         self,
         plans: Sequence[Plan],
@@ -38,18 +40,15 @@ class Levels:
         measure: Score = paper,
         budget: int = MOST_STATES,
     ) -> None:
-        self.plans, self.matcher, self.noise, self.measure = plans, matcher, noise, measure
+        super().__init__(matcher)
+        self.plans, self.noise, self.measure = plans, noise, measure
         self.budget = budget
         self.priors = priors or (1.0,) * len(plans)
         self.charts = [plan.chart for plan in plans]
         self._positions = [positions_of(plan) for plan in plans]
-        self.observations: list[Seen] = []
-        self._noted: dict[int, list[Mismatch]] = {}
-        self.mismatches = [self._noted]  # after each observation, by plan: why it was cut
         self.levels: list[dict[int, Level]] = [{}]
         self._edges: list[dict[int, Edges]] = []
         self._weights: list[dict[int, dict[State, Weight]] | None] = [None]
-        self._exact = [True]
         self.labels = [plan.label for plan in plans]
         for plan, chart in enumerate(self.charts):
             binding = matcher.initial(plan)
@@ -74,32 +73,12 @@ class Levels:
         exact = sum(map(len, level.values())) <= self.budget
         weighed, level = self._weighed(edges, is_certain(seen)), level if exact else self._pruned(level)
         self.mismatches.append(self._noted)  # from here on nothing can go wrong: an observation is taken in or not
-        self._exact.append(exact and self._exact[-1])
+        self.exact.append(exact and self.is_exact)
         self._weights.append(weighed)
         self.levels.append(level)
         self._edges.append(edges)
         self.observations.append(seen)
         self.matcher.observed(options[0][0] if is_certain(seen) else Observation(seen.action))
-
-    def undo(self) -> None:
-        """Take back the last observation."""
-        for stack in (self.levels, self._edges, self._weights, self._exact, self.mismatches, self.observations):
-            stack.pop()
-        self.matcher.forget()
-
-    def fork(self) -> Self:
-        """A copy that goes its own way; what was counted so far is shared."""
-        other = object.__new__(type(self))
-        other.__dict__.update(self.__dict__)
-        other.matcher = self.matcher.fork()
-        for name in ("levels", "_edges", "_weights", "_exact", "mismatches", "observations"):
-            setattr(other, name, list(getattr(self, name)))
-        return other
-
-    @property
-    def is_exact(self) -> bool:
-        """Whether every explanation was counted; otherwise counts and sums are lower bounds."""
-        return self._exact[-1]
 
     def _pruned(self, level: dict[int, Level]) -> dict[int, Level]:
         """As many states as the budget allows: those that miss least and have fewest needless, then score best."""
@@ -142,8 +121,6 @@ class Levels:
             weighed[plan] = weigh(self.charts[plan], self.levels[-1][plan], weights, found, noisy)
         return weighed
 
-    def _note(self, plan: int, mismatch: Mismatch) -> None:
-        self._noted.setdefault(plan, []).append(mismatch)
 
 
 def is_certain(seen: Seen) -> bool:

@@ -238,8 +238,9 @@ class NoisyArrays(Replay):
         ends, first = leading
         plan, leaf = self._plans(ends)
         goals = self._goal[plan]
-        rivals, ties = _exactly(self.np, ends.number[goals != goals[first]]), _exactly(self.np, ends.number)
-        missed = int(leaf[first]) + 1 - int(ends.marked[first])
+        same = goals == goals[first]
+        rivals, ties = _exactly(self.np, ends.number[~same]), _exactly(self.np, ends.number)
+        missed = int((leaf + 1 - ends.marked)[same].min())
         return Standing(self.count, self.labels[plan[first]], missed, rivals, ties)
 
     def _groups(self) -> Iterator[tuple[int, int, float, int]]:

@@ -197,8 +197,9 @@ class Pairs:
         for p, q in np.argwhere(np.triu(pairs >= least)).tolist():
             best[p, q] = (float(pairs[p, q]), *self._ties(p, q, least))
         plans = min(plans for plans, (weight, _, _) in best.items() if weight == top)
-        goals = self._goals(plans)
-        missed = sum(len(self.plans[plan].leaves) for plan in plans) - best[plans][2] - len(self.observations)
+        goals, k = self._goals(plans), len(self.observations)
+        same = {others: left for others, (_, _, left) in best.items() if self._goals(others) == goals}
+        missed = min(sum(len(self.plans[plan].leaves) for plan in others) - left - k for others, left in same.items())
         rivals = sum(number for others, (_, number, _) in best.items() if self._goals(others) != goals)
         return Standing(self.count, " + ".join(goals), missed, rivals, sum(number for _, number, _ in best.values()))
 

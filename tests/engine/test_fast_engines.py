@@ -239,3 +239,20 @@ def test_all_pairs_in_an_array_equal_the_search_through_them(library, seen, weig
     other.observe(seen[0])
     other.undo()
     assert (other.count, dict(other.posterior())) == (pairs.count, dict(pairs.posterior()))
+
+
+@pytest.mark.parametrize("engine", [Chains, Arrays, Counting, Pairs, Interleaving])
+def test_of_equally_good_ways_to_the_best_goal_the_one_that_misses_least_counts(engine):
+    library = distinct([plain("g", *"ba"), plain("g", *"aaaa"), plain("h", *"bbbbbbba")])  # 1/2 * 1/2 and 1/4 * 1
+    counts = engine(library, NameMatcher(library))
+    counts.observe(Observation("a"))
+    assert (counts.standing().best_goal, counts.standing().best_missed, counts.standing().ties) == ("g", 0, 2)
+
+
+def test_hypotheses_that_can_begin_nothing_more_do_not_narrow_the_choice_of_what_others_begin():
+    library = distinct([plain(f"g{n}", *"abcab") for n in range(12)])
+    engine = Interleaving(library, NameMatcher(library), 2, budget=2_000)
+    for name in "abca":
+        engine.observe(Observation(name))
+        if len(engine._levels[-1]) < 2_000:
+            assert engine.is_exact

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import random
-from math import log2
 
 import pytest
 
 from casper import Domain
 from casper.engine.matching import NameMatcher, ParameterMatcher
-from casper.engine.questions import entropy
 from casper.engine.reading import Reading
 from casper.engine.recognition.arrays import Arrays
 from casper.engine.recognition.chains import Chains
@@ -128,60 +126,6 @@ def test_priors_that_are_none_are_refused(tmp_path, facts, sentence):
     assert caught.value.place is not None and caught.value.place.line == 2
 
 
-def test_a_fork_asks_what_if():
-    now = reading("pick_and_place")
-    what_if = now.fork()
-    what_if.observe("eat")
-    assert (now.count, what_if.count) == (7, 3)
-    assert what_if.rejected.keys() == {"drink"} and not now.rejected
-
-
-def test_several_partners_share_a_library_and_not_a_reading():
-    base = KITCHEN.reading()
-    ann, bob = base.fork(), base.fork()
-    ann.observe("sip")
-    bob.observe("eat")
-    assert (ann.outcome, base.observations) == ("drink", ())
-    assert bob.posterior["breakfast"] > 0
-
-
-def test_readings_of_one_domain_share_what_the_knowledge_base_said(monkeypatch):
-    kitchen = Domain.load("kitchen")
-    asked = []
-    verify = kitchen.kb.verify
-    monkeypatch.setattr(kitchen.kb, "verify", lambda *question: asked.append(question) or verify(*question))
-    kitchen.reading().observe("pick_and_place(meal, hobs)")
-    first = len(asked)
-    kitchen.reading().observe("pick_and_place(meal, hobs)")
-    assert first == len(asked) > 0
-
-
-def test_a_change_of_the_knowledge_base_is_seen_by_readings_under_way_and_by_new_ones():
-    kitchen = Domain.load("kitchen")
-    before = kitchen.reading()
-    before.observe("pick_and_place(biscuits, plate)")
-    kitchen.reading().observe("eat(biscuits, plate)")
-    kitchen.kb.retract("eatable(biscuits)")
-    before.observe("eat(biscuits, plate)")
-    after = kitchen.reading()
-    after.observe("eat(biscuits, plate)")
-    assert (before.count, after.count) == (0, 0)
-    assert any("eatable" in reason for reason in after.rejected["breakfast"])
-
-
-def test_where_verdicts_depend_on_the_past_each_reading_asks_for_its_own(tmp_path):
-    (tmp_path / "ontology.pl").write_text(
-        'human(ann).\nwarm(A) :- human(A).\neat(A) :- human(A).\nnever("first warm it") :- claim(eat(_)), \\+ did(warm(_), _).\n'
-    )
-    (tmp_path / "plans.pl").write_text("cold --> eat.\nhot --> warm, eat.\n")
-    shared = Domain.load(tmp_path)
-    hot, cold = shared.reading(), shared.reading()
-    hot.observe("warm")
-    hot.observe("eat")
-    cold.observe("eat")
-    assert (hot.count, cold.count) == (1, 0)
-
-
 @pytest.mark.parametrize("seen", ["pick_and_place pick_and_place wash", "pick_and_place", "wash", "sip"])
 def test_the_ties_of_the_best_explanation_are_counted(seen):
     found = reading(*seen.split(), verification=False)
@@ -213,83 +157,10 @@ def test_more_explanations_than_can_be_weighed_are_refused_in_a_sentence():
     assert seen.posterior == {"g": 1.0}
 
 
-def test_a_step_that_may_be_left_out_is_not_asked_about(tmp_path):
-    text = "goal(g). goal(h). g --> eat, x. h --> (eat ; sip), optional(nap), y."
-    seen = domain(tmp_path, text).reading()
-    seen.observe("eat")
-    asked = {(question.kind, question.about) for question in seen.questions()}
-    assert ("goal", "g") in asked and ("step", "x") in asked
-    assert not asked & {("done", "eat"), ("done", "sip"), ("step", "nap"), ("step", "sip")}
-
-
-def test_a_plan_whose_rest_may_be_left_out_may_be_complete(tmp_path):
-    seen = domain(tmp_path, "goal(g). g --> a, optional(b).").reading()
-    seen.observe("a")
-    assert seen.next_actions == {"b": 0.5, None: 0.5}
-
-
-def test_a_goal_whose_condition_no_longer_holds_is_cut(tmp_path):
-    (tmp_path / "ontology.pl").write_text("human(ann). open(kitchen). a(X) :- human(X). b(X) :- human(X).\n")
-    here = domain(tmp_path, "goal(g) :- open(kitchen). goal(h). g --> a, b. h --> a, a, b.\n")
-    seen = here.reading()
-    seen.observe("a")
-    here.kb.retract("open(kitchen)")
-    seen.observe("b")
-    assert dict(seen.posterior) == {"g": 0.0, "h": 1.0}
-
-
-def test_an_observation_that_cannot_be_decided_is_taken_in_or_not(monkeypatch):
-    seen = reading("pick_and_place")
-    monkeypatch.setattr(seen._engine.matcher, "match", lambda *_: 1 / 0)
-    before = seen.to_json()
-    with pytest.raises(ZeroDivisionError):
-        seen.observe("eat")
-    monkeypatch.undo()
-    assert seen.to_json() == before
-    seen.observe("eat")
-    assert seen.count == 3
-
-
 def test_scores_are_chosen_by_name():
     seen = [reading("wash", score=name, verification=False).posterior for name in ("paper", "uniform", "coverage", "diligence")]
     assert seen[1] == pytest.approx({"breakfast": 1 / 3, "drink": 1 / 3, "lunch": 1 / 3})
     assert seen[0] != pytest.approx(seen[1])
-
-
-def test_the_next_action_is_the_first_that_misses_nothing():
-    assert reading("pick_and_place(meal, hobs)").next_actions == {"cook(meal, hobs)": 1.0}
-    assert reading("eat", "pick_and_place", "wash").next_actions == {None: 1.0}
-
-
-def test_outlooks_are_the_shares_of_the_explanations():
-    seen = reading("pick_and_place", "pick_and_place", verification=False)
-    frontiers = {}
-    for explanation in seen.explanations():
-        frontiers[explanation.frontier] = frontiers.get(explanation.frontier, 0.0) + explanation.share
-    assert seen.frontiers == pytest.approx(frontiers)
-    plans = {}
-    for explanation in seen.explanations():
-        plan = seen.plan_for("tiago", explanation)
-        plans[plan] = plans.get(plan, 0.0) + explanation.share
-    assert {p: s for p, s in seen.plans_for("tiago").items()} == pytest.approx(plans)
-    assert sum(seen.next_actions.values()) == pytest.approx(1.0)
-
-
-def test_the_best_question_for_a_tie_tells_the_goals_apart():
-    seen = reading("pick_and_place", "pick_and_place", "wash")
-    assert seen.outcome is None
-    question = seen.questions()[0]
-    assert (str(question), question.yes) == ("is the goal lunch?", pytest.approx(0.4))
-    assert question.gain == pytest.approx(entropy([0.4, 0.6]))
-
-
-def test_a_question_never_gains_more_than_there_is_to_know():
-    seen = reading("pick_and_place")
-    most = entropy(list(seen.posterior.values()))
-    gains = [question.gain for question in seen.questions()]
-    assert gains == sorted(gains, reverse=True)
-    assert all(0 <= gain <= min(most, 1.0) + 1e-9 for gain in gains)
-    assert most <= log2(3)
 
 
 @pytest.mark.parametrize(
