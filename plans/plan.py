@@ -84,7 +84,7 @@ class Plan:
 
     @cached_property
     def chart(self) -> Chart:
-        """What the shapes mean for the leaves: their order, and the optional parts."""
+        """What the shapes mean for the leaves: their order, and what may be left out."""
         from casper.plans.chart import draw_chart  # charts are drawn of plans
 
         return draw_chart(self)

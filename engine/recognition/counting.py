@@ -2,7 +2,7 @@
 
 Marking a leaf closes every leaf that the plan puts before it; those unobserved are missed for good. So the
 explanations of a plan are the ways to give the observations leaves that are open then, and all that the rest depends
-on is a *state*: what is closed, which open optional parts were entered, how many leaves the plan has by now, how many
+on is a *state*: what is closed, which open parts were entered, how many leaves the plan has by now, how many
 it missed, how many observations were needless, and what is known of the parameters. Per plan and observation a level
 counts the explanations that end in each state:
 

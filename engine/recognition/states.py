@@ -9,7 +9,7 @@ from casper.engine.matching import Binding
 from casper.plans.chart import Chart
 
 State: TypeAlias = tuple[int, int, int, int, int, Binding]
-"""Closed leaves, entered optional parts, leaves of the plan, missed, needless observations, binding."""
+"""Closed leaves, open parts that were entered, leaves of the plan, missed, needless observations, binding."""
 Level: TypeAlias = dict[State, int]  # how many explanations end in each state
 Edge: TypeAlias = tuple[int, Binding, float]  # leaf, binding after, likelihood
 Edges: TypeAlias = dict[Binding, list[Edge]]  # by binding before: what was matched at one observation
