@@ -12,7 +12,7 @@ everything is exact; for more, and where even those of two are too many, it is a
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import groupby, takewhile
+from itertools import groupby
 
 from casper.engine.explanation import Explanation, Interleaved
 from casper.engine.matching import Binding
@@ -26,12 +26,12 @@ from casper.engine.recognition.states import NEEDLESS
 class Interleaving(Hypotheses):
     """What the counts say. Interface: `recognisers.Recogniser`; arguments: `Hypotheses`."""
 
-    _scored: tuple[Counts, list[tuple[float, Hypothesis]]] | None = None  # the hypotheses of a level
+    _found: tuple[Counts, list[tuple[float, Hypothesis]]] | None = None  # the hypotheses of a level
 
     @property
     def count(self) -> int:
         """The number of explanations; before the first observation, of plans."""
-        return sum(self._levels[-1][h] for _, h in self._hypotheses()) if self.observations else len(self._starts)
+        return sum([self._levels[-1][h] for _, h in self._hypotheses()]) if self.observations else len(self._starts)
 
     def alive(self, level: int) -> set[int]:
         """The plans that take part in explaining the first so many observations."""
@@ -40,14 +40,17 @@ class Interleaving(Hypotheses):
         return {plan for parts, _ in self._levels[level] for plan, _ in parts}
 
     def _hypotheses(self) -> list[tuple[float, Hypothesis]]:
-        """Weight and hypothesis, the best first. A price that all pay is left out of the weights (`_least`)."""
+        """Weight and hypothesis, in no order: of thousands mostly the best are wanted, or all together.
+
+        A price that all pay is left out of the weights (`_least`).
+        """
         level, weights = self._levels[-1], self._weights[-1]
-        if self._scored is None or self._scored[0] is not level:
+        if self._found is None or self._found[0] is not level:
             found = list(self._weighed_level())
             if weights is not None:
                 found = [(weight * weights[h][1], h) for weight, h in found]
-            self._scored = level, sorted(found, key=lambda pair: (-pair[0], [plan for plan, _ in pair[1][0]]))
-        return self._scored[1]
+            self._found = level, found
+        return self._found[1]
 
     def _weighed_level(self) -> Iterator[tuple[float, Hypothesis]]:
         """`_score` and `_prior` of every hypothesis of the level, in one go: there may be thousands."""
@@ -93,15 +96,13 @@ class Interleaving(Hypotheses):
         found = self._hypotheses()
         if not found:
             return None
-        weight, (parts, _) = found[0]
-        goals, least = self._goals(parts), least_tie(weight)
-        weights, rivals, ties = self._weights[-1], 0, 0
-        for _, h in takewhile(lambda pair: pair[0] >= least, found):
-            number = self._levels[-1][h] if weights is None else weights[h][2]
-            ties += number
-            rivals += number if self._goals(h[0]) != goals else 0
-        equal = takewhile(lambda pair: pair[0] >= least, found)
-        missed = min(sum(state[3] for _, state in h[0]) for _, h in equal if self._goals(h[0]) == goals)
+        top = max(found, key=_weight)[0]
+        least, counts, weights = least_tie(top), self._levels[-1], self._weights[-1]
+        equal = [(weight, h) for weight, h in found if weight >= least]
+        goals = self._goals(min([h[0] for weight, h in equal if weight == top], key=_plans))
+        numbers = [(counts[h] if weights is None else weights[h][2], self._goals(h[0]) == goals) for _, h in equal]
+        missed = min([sum(state[3] for _, state in h[0]) for _, h in equal if self._goals(h[0]) == goals])
+        ties, rivals = sum([n for n, _ in numbers]), sum([n for n, is_same in numbers if not is_same])
         return Standing(self.count, " + ".join(goals), missed, rivals, ties)
 
     def _goals(self, parts: tuple[Part, ...]) -> tuple[str, ...]:
@@ -142,7 +143,12 @@ class Interleaving(Hypotheses):
             k, least = len(self.observations), self._least()
             yield {h: self._score(h, k, h[1] - least) * self._prior(h) for _, h in found}
             return
-        for weight, group in groupby(found, key=lambda pair: pair[0]):
+        if not found:
+            return
+        top = max(found, key=_weight)[0]
+        yield {h: weight for weight, h in found if weight == top}
+        rest = sorted([pair for pair in found if pair[0] < top], key=_weight, reverse=True)
+        for weight, group in groupby(rest, key=_weight):
             yield {h: weight for _, h in group}
 
     def _told(self, hypothesis: Hypothesis, marks: Sequence[Mark], likelihood: float, share: float) -> Interleaved:
@@ -154,3 +160,11 @@ class Interleaving(Hypotheses):
         )
         unused = tuple(at for at, (plan, _) in enumerate(marks) if plan == NEEDLESS)
         return Interleaved(told, score, share, unused)
+
+
+def _weight(found: tuple[float, Hypothesis]) -> float:
+    return found[0]
+
+
+def _plans(parts: tuple[Part, ...]) -> list[int]:
+    return [plan for plan, _ in parts]
