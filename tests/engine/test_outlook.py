@@ -5,23 +5,9 @@ from __future__ import annotations
 from math import log2
 
 import pytest
+from readings import domain, reading
 
-from casper import Domain
 from casper.engine.questions import entropy
-
-KITCHEN = Domain.load("kitchen")
-
-
-def reading(*observed, **options):
-    found = KITCHEN.reading(**options)
-    for action in observed:
-        found.observe(action)
-    return found
-
-
-def domain(tmp_path, plans):
-    (tmp_path / "plans.pl").write_text(plans)
-    return Domain.load(tmp_path)
 
 
 def test_a_step_that_may_be_left_out_is_not_asked_about(tmp_path):

@@ -5,8 +5,8 @@ from __future__ import annotations
 import random
 
 import pytest
+from readings import KITCHEN, domain, reading
 
-from casper import Domain
 from casper.engine.matching import NameMatcher, ParameterMatcher
 from casper.engine.reading import Reading
 from casper.engine.recognition.arrays import Arrays
@@ -19,20 +19,6 @@ from casper.engine.recognition.pairs import Pairs
 from casper.engine.recognition.recognisers import Options
 from casper.kb.errors import CasperError
 from casper.plans.library import PlanLibrary
-
-KITCHEN = Domain.load("kitchen")
-
-
-def reading(*observed, **options):
-    found = KITCHEN.reading(**options)
-    for action in observed:
-        found.observe(action)
-    return found
-
-
-def domain(tmp_path, plans):
-    (tmp_path / "plans.pl").write_text(plans)
-    return Domain.load(tmp_path)
 
 
 def test_a_needless_action_loses_the_paper_and_costs_its_price_with_noise():

@@ -3,22 +3,9 @@
 from __future__ import annotations
 
 import pytest
+from readings import KITCHEN, domain, reading
 
 from casper import Domain
-
-KITCHEN = Domain.load("kitchen")
-
-
-def reading(*observed, **options):
-    found = KITCHEN.reading(**options)
-    for action in observed:
-        found.observe(action)
-    return found
-
-
-def domain(tmp_path, plans):
-    (tmp_path / "plans.pl").write_text(plans)
-    return Domain.load(tmp_path)
 
 
 def test_a_fork_asks_what_if():
