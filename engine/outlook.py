@@ -15,7 +15,7 @@ from casper.engine.recognition.recognisers import Recogniser
 from casper.engine.situation import Situation
 from casper.kb.terms import Compound, as_term
 from casper.kb.writer import term_text
-from casper.plans.chart import bits, union
+from casper.plans.chart import bits
 from casper.plans.plan import Plan
 
 
@@ -88,17 +88,14 @@ class Outlook:
     def done(self, plan: int, closed: int, binding: Binding) -> Iterator[Compound]:
         """What was observed, or missed and so done unseen; of parts that may be left out nothing is told."""
         actions = self._actions(plan, binding)
-        return (actions[leaf] for leaf in bits(closed & self.plans[plan].chart.mandatory))
+        return (actions[leaf] for leaf in bits(self._situation(plan, closed, binding).done))
 
     def unsure(self, plan: int, closed: int, binding: Binding) -> Iterator[tuple[bool, Compound]]:
         """What may or may not be done, or have been: (whether it is over, action)."""
-        actions, chart = self._actions(plan, binding), self.plans[plan].chart
-        if chart.parts:
-            sure = union(chart.parts[at].own for at in bits(chart.entered(closed))) | chart.mandatory
-            for leaf, action in enumerate(actions):
-                over = closed >> leaf & 1
-                if not (chart.mandatory if over else sure) >> leaf & 1:
-                    yield bool(over), action
+        actions, certain = self._actions(plan, binding), self.plans[plan].chart.certain(closed)
+        for leaf, action in enumerate(actions):
+            if not certain >> leaf & 1:
+                yield bool(closed >> leaf & 1), action
 
 
 @lru_cache(maxsize=65_536)

@@ -27,7 +27,7 @@ class Situation:
     def of(cls, plan: Plan, closed: int, binding: Binding) -> Situation:
         """A situation of which only the closed leaves are known."""
         chart = plan.chart
-        return cls(plan, closed, binding, closed & chart.known_done(closed))
+        return cls(plan, closed, binding, closed & chart.certain(closed))
 
     @property
     def goal(self) -> str:

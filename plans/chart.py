@@ -127,11 +127,12 @@ class Chart:
         aside = self.spares & ~self.entered(closed)
         return [j for j in range(self.leaves) if not (closed >> j & 1 or self.inside[j] & aside)]
 
-    def known_done(self, closed: int) -> int:
-        """Mask of the leaves that are surely done once they are closed: the mandatory ones, and those of open parts."""
-        entered = self.entered(closed)
-        within = union(self.parts[at].own for at in bits(entered))
-        return self.mandatory | within & self.belonging(entered)
+    def certain(self, closed: int) -> int:
+        """Mask of the leaves of which it is known that they belong: they stand in no part but such as are under way."""
+        if not self.parts:
+            return self.mandatory
+        others = ~self.entered(closed)
+        return union(1 << leaf for leaf, within in enumerate(self.inside) if not within & others)
 
     @cached_property
     def spares(self) -> int:

@@ -7,11 +7,10 @@ actions hang from the task above.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import TypeAlias
 
 from casper.plans.chart import children_before
-from casper.plans.plan import Action, Node, Plan, Shape, Task, actions_below, is_plain
+from casper.plans.plan import Action, Node, Plan, Task, actions_below, is_plain
 
 Row: TypeAlias = tuple[Node, ...]  # nodes without shapes, one after the other
 
@@ -24,33 +23,6 @@ def spelled_out(plan: Plan) -> Iterator[Plan]:
     for (root,) in _rows(plan.root):
         assert isinstance(root, Task)
         yield Plan(plan.label, root, plan.way, plan.place)
-
-
-def decided(plan: Plan) -> Iterator[Plan]:
-    """A plan for each way to decide all its choices, with its other shapes as they are."""
-    for root in _decided(plan.root):
-        assert isinstance(root, Task)
-        yield Plan(plan.label, root, plan.way, plan.place)
-
-
-def _decided(node: Node) -> Iterator[Node]:
-    if isinstance(node, Action):
-        yield node
-    elif isinstance(node, Shape) and node.kind == "choice":
-        for child in node.children:
-            yield from _decided(child)
-    else:
-        for children in _all_decided(node.children):
-            yield replace(node, children=children)
-
-
-def _all_decided(nodes: Sequence[Node]) -> Iterator[Row]:
-    if not nodes:
-        yield ()
-        return
-    for first in _decided(nodes[0]):
-        for rest in _all_decided(nodes[1:]):
-            yield (first, *rest)
 
 
 def _rows(node: Node) -> Iterator[Row]:

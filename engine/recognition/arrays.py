@@ -19,6 +19,7 @@ from typing import Any, TypeAlias
 from casper.engine.matching import Binding, Matcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
+from casper.engine.recognition.exact import exactly
 from casper.engine.recognition.replay import Replay
 from casper.engine.recognition.scoring import least_tie
 from casper.plans.plan import Plan
@@ -147,10 +148,7 @@ class Arrays(Replay):
     @property
     def count(self) -> int:
         """The exact number of explanations; before the first observation, of plans."""
-        counts = self._levels[-1][1]
-        if self._type is object:
-            return int(sum(counts))
-        return (int((counts >> 32).sum()) << 32) + int((counts & 0xFFFFFFFF).sum())
+        return exactly(self.np, self._levels[-1][1])
 
     def score_sums(self) -> list[float]:
         """Per plan the sum of the scores of its explanations."""

@@ -33,6 +33,7 @@ from casper.engine.policy import Standing
 from casper.engine.recognition.arrays import Array, Shares
 from casper.engine.recognition.blocks import Layout, Leaves, Table
 from casper.engine.recognition.counting import Counting
+from casper.engine.recognition.exact import exactly
 from casper.engine.recognition.replay import Replay
 from casper.engine.recognition.scoring import least_tie
 from casper.engine.recognition.states import NEEDLESS
@@ -98,7 +99,7 @@ class NoisyArrays(Replay):
         """Advance every plan that has the action; all others take it for needless."""
         before, here = self._levels[-1], self._layout.leaves(seen.action)
         counts = self._table.following(before.counts, here, len(self.observations) + 1)
-        count = before.count + _exactly(self.np, counts)
+        count = before.count + exactly(self.np, counts)
         most = max(before.most, len(counts))
         mass = self.noise ** (most - before.most) * before.mass + self._mass(here, counts, most)
         marked = _marked(self.np, counts)
@@ -217,8 +218,8 @@ class NoisyArrays(Replay):
         ties = np.flatnonzero(ends.weight >= least_tie(top))
         ends = Ends(ends.at[ties], ends.marked[ties], ends.number[ties], ends.weight[ties])
         plan, leaf = self._plans(ends)
-        exactly = np.flatnonzero(ends.weight == top)
-        return ends, int(exactly[(plan * self._layout.longest + leaf)[exactly].argmin()])
+        best = np.flatnonzero(ends.weight == top)
+        return ends, int(best[(plan * self._layout.longest + leaf)[best].argmin()])
 
     def best(self) -> tuple[float, int, int, int] | None:
         """The best explanation: weight, plan, leaves right of its last marked one; how many of the library tie."""
@@ -227,7 +228,7 @@ class NoisyArrays(Replay):
             return None
         ends, first = leading
         plan, leaf = (int(found[first]) for found in self._plans(ends))
-        right, ties = len(self.plans[plan].leaves) - leaf - 1, _exactly(self.np, ends.number)
+        right, ties = len(self.plans[plan].leaves) - leaf - 1, exactly(self.np, ends.number)
         return float(ends.weight[first]), plan, right, ties
 
     def standing(self) -> Standing | None:
@@ -239,7 +240,7 @@ class NoisyArrays(Replay):
         plan, leaf = self._plans(ends)
         goals = self._goal[plan]
         same = goals == goals[first]
-        rivals, ties = _exactly(self.np, ends.number[~same]), _exactly(self.np, ends.number)
+        rivals, ties = exactly(self.np, ends.number[~same]), exactly(self.np, ends.number)
         missed = int((leaf + 1 - ends.marked)[same].min())
         return Standing(self.count, self.labels[plan[first]], missed, rivals, ties)
 
@@ -337,10 +338,3 @@ class NoisyArrays(Replay):
 def _marked(np: Any, counts: Array) -> Array:
     """By leaf, the most observations that an explanation marks which ends there."""
     return (counts > 0).view(np.int8).sum(axis=0, dtype=np.int32)
-
-
-def _exactly(np: Any, counts: Array) -> int:
-    """The sum as a Python integer: it may not fit into 64 bits, though every count does."""
-    if counts.dtype != np.uint64:
-        return int(counts.sum(dtype=object if counts.dtype == object else np.uint64))
-    return (int((counts >> 32).sum()) << 32) + int((counts & 0xFFFFFFFF).sum())

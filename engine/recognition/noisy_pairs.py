@@ -33,9 +33,10 @@ from casper.engine.matching import Binding, Matcher, Mismatch, NameMatcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
 from casper.engine.recognition.arrays import Array, Shares
+from casper.engine.recognition.exact import exactly
 from casper.engine.recognition.interleaving import Interleaving
 from casper.engine.recognition.noisy_arrays import CLOSE, NoisyArrays
-from casper.engine.recognition.pair_counts import Ends, PairCounts, States, exactly, memory, no_ends, wide
+from casper.engine.recognition.pair_counts import Ends, PairCounts, States, memory, no_ends, wide
 from casper.engine.recognition.scoring import least_tie
 from casper.plans.plan import Plan
 

@@ -219,12 +219,6 @@ def wide(np: Any, counts: Array) -> Array:
     return counts if counts.dtype == object else counts.astype(np.uint64)
 
 
-def exactly(np: Any, counts: Array) -> int:
-    """The sum as a Python integer: it may not fit into 64 bits, though every count does."""
-    if counts.dtype == np.uint64:
-        return (int((counts >> 32).sum()) << 32) + int((counts & 0xFFFFFFFF).sum())
-    return int(counts.sum(dtype=object if counts.dtype == object else np.uint64))
-
 
 def memory(plans: Sequence[Plan], observations: int) -> int:
     """About how many bytes so many observations take, each of a name that is as common as the commonest."""

@@ -24,6 +24,7 @@ from casper.engine.matching import Binding, Matcher, Mismatch, NameMatcher
 from casper.engine.observation import Seen
 from casper.engine.policy import Standing
 from casper.engine.recognition.arrays import Array, Arrays, Shares
+from casper.engine.recognition.exact import exactly
 from casper.engine.recognition.interleaving import Interleaving
 from casper.engine.recognition.levels import positions_of
 from casper.engine.recognition.scoring import least_tie
@@ -104,7 +105,7 @@ class Pairs:
     @property
     def mismatches(self) -> Sequence[Mapping[int, Sequence[Mismatch]]]:
         """No name ever clashes with a parameter."""
-        return ({},) * (len(self.observations) + 1)
+        return self.single.mismatches
 
     @property
     def is_exact(self) -> bool:
@@ -117,7 +118,8 @@ class Pairs:
         if not self.observations:
             return self.single.count
         here, counts = self._levels[-1]
-        twice = 2 * _exactly(counts) - 2 * _exactly(counts[:, self.begin]) - _exactly(counts[:, here])
+        np = self.np
+        twice = 2 * exactly(np, counts) - 2 * exactly(np, counts[:, self.begin]) - exactly(np, counts[:, here])
         return self.single.count + twice // 2
 
     def alive(self, level: int) -> set[int]:
@@ -295,10 +297,6 @@ class Pairs:
             engine.observe(seen)
         return engine
 
-
-def _exactly(counts: Array) -> int:
-    """The sum as a Python integer: it may not fit into 64 bits, though every count does."""
-    return (int((counts >> 32).sum()) << 32) + int((counts & 0xFFFFFFFF).sum())
 
 
 def fits(plans: Sequence[Plan], most: int = 40_000_000) -> bool:

@@ -9,7 +9,6 @@ from casper.engine.matching import NameMatcher, ParameterMatcher
 from casper.engine.reading import Reading
 from casper.kb.errors import PlanError
 from casper.plans.library import PlanLibrary
-from casper.plans.spelling import decided
 from casper.plans.tree import tree_text
 
 
@@ -121,16 +120,6 @@ def test_alternatives_of_one_production_keep_their_parameters_apart():
     library = PlanLibrary.from_text(text)
     assert [str(leaf) for leaf in library.ways[0].leaves] == ["reach(tea)", "put(tea)", "wash", "reach(milk)", "put(milk)", "wash"]
     assert [leaf for leaf in map(str, reading(text, "reach(milk)", matcher=ParameterMatcher).frontier)] == ["put(milk)", "wash"]
-
-
-def test_a_plan_decided_keeps_its_other_shapes():
-    library = PlanLibrary.from_text("goal(g). g --> (a ; b), unordered(c, (d ; e)), optional(f).")
-    shown = [" ".join(leaf[0] for leaf in plan.leaves) for plan in decided(library.ways[0])]
-    assert shown == ["a c d f", "a c e f", "b c d f", "b c e f"]
-    assert {node.kind for plan in decided(library.ways[0]) for node in plan.root.children if hasattr(node, "kind")} == {
-        "unordered",
-        "optional",
-    }
 
 
 def test_a_tree_says_or_between_alternatives():

@@ -8,6 +8,8 @@ import pytest
 from readings import domain, reading
 
 from casper.engine.questions import entropy
+from casper.engine.situation import Situation
+from casper.plans.chart import bits
 
 
 def test_a_step_that_may_be_left_out_is_not_asked_about(tmp_path):
@@ -17,6 +19,25 @@ def test_a_step_that_may_be_left_out_is_not_asked_about(tmp_path):
     asked = {(question.kind, question.about) for question in seen.questions()}
     assert ("goal", "g") in asked and ("step", "x") in asked
     assert not asked & {("done", "eat"), ("done", "sip"), ("step", "nap"), ("step", "sip")}
+
+
+def test_an_open_choice_inside_a_part_that_was_begun_is_not_asked_about(tmp_path):
+    text = "goal(g). goal(h). g --> a, optional((u, (v ; w, x))), z. h --> a, u, y."
+    seen = domain(tmp_path, text).reading()
+    seen.observe("a")
+    seen.observe("u")
+    asked = {(question.kind, question.about) for question in seen.questions()}
+    assert ("step", "z") in asked
+    assert not asked & {("step", "v"), ("step", "w"), ("step", "x")}
+
+
+def test_the_smallest_alternative_does_not_count_as_done_once_another_was_taken(tmp_path):
+    (plan,) = domain(tmp_path, "goal(g). g --> a, optional((u, (v ; w, x), y)), z.").library.ways
+    closed = plan.chart.start
+    for leaf in (0, 1, 3, 4):  # a, u, w, x
+        closed = plan.chart.close(closed, leaf)
+    done = Situation.of(plan, closed[0], ()).done
+    assert [plan.leaves[leaf][0] for leaf in bits(done)] == ["a", "u"]
 
 
 def test_a_plan_whose_rest_may_be_left_out_may_be_complete(tmp_path):

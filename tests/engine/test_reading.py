@@ -1,19 +1,11 @@
 """Readings: what the knowledge base cuts, why, what undoing does, and what the robot would do."""
 
 import pytest
+from readings import reading
 
 from casper import Domain
 from casper.engine.policy import Standing, best, strict
 from casper.kb.errors import CasperError, PlanError
-
-KITCHEN = Domain.load("kitchen")
-
-
-def reading(*observed, **options):
-    found = KITCHEN.reading(**options)
-    for action in observed:
-        found.observe(action)
-    return found
 
 
 def texts(actions):
