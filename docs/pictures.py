@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from casper import Domain
-from casper.sim_adapter.camera import Camera
+from casper.sim_adapter.eye.camera import Camera
 from casper.sim_adapter.trial import Trial, TrialSettings
 
 HERE = Path(__file__).parent

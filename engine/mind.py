@@ -9,21 +9,22 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
-from casper.engine.actions import Prediction, action_recogniser, context_table, contextualise
-from casper.engine.domain import Domain
+from casper.engine.actions.actions import action_recogniser, context_table, contextualise
+from casper.engine.actions.prediction import Prediction
+from casper.engine.collaboration.supervisor import Supervisor
+from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
-from casper.engine.focus import Focus, FocusEstimator, focus_settings
-from casper.engine.movements import Movement, movement_classifier
-from casper.engine.observation import Observation
-from casper.engine.perception import Perception, perception_settings
-from casper.engine.supervisor import Supervisor
-from casper.engine.tracking import Tracker, tracker_settings
-from casper.engine.verification import Statement, Verifier
-from casper.engine.world import WorldState
+from casper.engine.movements.movements import Movement, movement_classifier
+from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
+from casper.engine.perception.perception import Perception, perception_settings
+from casper.engine.perception.tracking import Tracker, tracker_settings
+from casper.engine.perception.world import WorldState
+from casper.engine.verification.observation import Observation
+from casper.engine.verification.verification import Statement, Verifier
 from casper.kb.errors import CasperError
-from casper.kb.terms import as_term
-from casper.kb.validity import Verdict
-from casper.kb.writer import term_text
+from casper.kb.reasons.validity import Verdict
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import as_term
 
 
 class Mind:
@@ -32,9 +33,9 @@ class Mind:
     Args:
         domain: where it happens.
         verification: False never asks the knowledge base about an observation; the explainer sees names only.
-        policy: when to commit to a goal (`engine.policy`).
+        policy: when to commit to a goal (`engine.reading.policy`).
         helps: False predicts without planning to help.
-        noise, goals: as for `casper.engine.domain.Domain.reading`: needless actions at a price, several goals at once.
+        noise, goals: as for `Domain.reading`: needless actions at a price, several goals at once.
         stops: an action that fits no plan any more ends it; by default it is reported and left out.
 
     Raises:

@@ -19,10 +19,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
 from casper.kb.base import KnowledgeBase
-from casper.kb.clauses import Clause, Literal
 from casper.kb.errors import ProgramError
-from casper.kb.terms import Compound, Term, Variable, as_term, is_ground, make_list
-from casper.kb.writer import literal_text, term_text
+from casper.kb.terms.clauses import Clause, Literal
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, Term, Variable, as_term, make_list
+from casper.kb.terms.unification import is_ground
+from casper.kb.text.writer import literal_text
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -12,20 +12,21 @@ from collections.abc import Callable, Iterator, Sequence
 from difflib import get_close_matches
 from functools import lru_cache
 
-from casper.kb.clause_store import MOST_INDEXED, NO_HISTORY, ClauseStore, Statement
-from casper.kb.clauses import Literal
-from casper.kb.goals import Predicate
-from casper.kb.model import Model
-from casper.kb.program import SYSTEM, Indicator, check_defined, undefined_sentence
-from casper.kb.proof import Proof
-from casper.kb.reader import read_query
-from casper.kb.relation import Row
-from casper.kb.repair import Repair, repairs
-from casper.kb.solve import DEFAULT_BUDGET
-from casper.kb.terms import Compound, Term, Variable, is_ground, predication, substitute
-from casper.kb.validity import History, Verdict, valid_instances, verify
-from casper.kb.why import prove
-from casper.kb.why_not import Refusal, Violation, attempts
+from casper.kb.goals.goals import Predicate
+from casper.kb.program.refusals import check_defined, undefined_sentence
+from casper.kb.reasons.proof import Proof
+from casper.kb.reasons.repair import Repair, repairs
+from casper.kb.reasons.validity import History, Verdict, valid_instances, verify
+from casper.kb.reasons.why import prove
+from casper.kb.reasons.why_not import Refusal, Violation, attempts
+from casper.kb.relations.relation import Row
+from casper.kb.store.clause_store import MOST_INDEXED, NO_HISTORY, ClauseStore, Statement
+from casper.kb.store.model import Model
+from casper.kb.terms.clauses import SYSTEM, Indicator, Literal
+from casper.kb.terms.terms import Compound, Term, Variable, predication
+from casper.kb.terms.unification import is_ground, substitute
+from casper.kb.text.reader import read_query
+from casper.kb.top_down.solve import DEFAULT_BUDGET
 
 _query_of_text = lru_cache(maxsize=1024)(read_query)
 

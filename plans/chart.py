@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
 
-from casper.plans.plan import Action, Node, Plan, Shape, is_plain
+from casper.plans.nodes import Action, Node, Shape, Task, actions_below, is_plain
 
 Progress: TypeAlias = tuple[int, int, int, int]
 """Mask of the closed leaves, mask of the open parts that were entered, leaves of the plan, missed ones."""
@@ -153,11 +153,11 @@ class Chart:
 _CHAINS: dict[int, Chart] = {}
 
 
-def draw_chart(plan: Plan) -> Chart:
-    """The chart of a plan (`Plan.chart` keeps it); plans without shapes share one for each length."""
-    leaves = len(plan.leaves)
-    if not is_plain(plan):
-        return _Drawing(leaves).chart(plan.root)
+def draw_chart(root: Task) -> Chart:
+    """The chart of a plan's tree (`Plan.chart` keeps it); plans without shapes share one for each length."""
+    leaves = len(actions_below(root))
+    if not is_plain(root):
+        return _Drawing(leaves).chart(root)
     if leaves not in _CHAINS:
         everything = (1 << leaves) - 1
         before = tuple((1 << j) - 1 for j in range(leaves))

@@ -6,12 +6,11 @@ from collections.abc import Callable, Collection, Iterable, Iterator
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from casper.kb.clauses import Clause, Production, Sentence
+from casper.kb.checks.finding import Finding, Severity, error, finding_of, warning
 from casper.kb.errors import CasperError, Place
-from casper.kb.finding import Finding, Severity, error, finding_of, warning
-from casper.kb.program import Indicator
-from casper.kb.terms import Compound, Term, as_term, list_items, predication
-from casper.kb.writer import term_text
+from casper.kb.terms.clauses import Clause, Indicator, Production, Sentence
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, Term, as_term, list_items, predication
 from casper.plans.library import GOAL, RECURSION, PlanLibrary
 from casper.plans.shapes import SHAPES
 

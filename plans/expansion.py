@@ -14,13 +14,15 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from typing import Literal, TypeAlias
 
-from casper.kb.clauses import Literal as Condition
-from casper.kb.clauses import Production
 from casper.kb.errors import Place, PlanError
-from casper.kb.terms import Bindings, Compound, Term, as_term, is_ground, predication, renamed, unify
-from casper.kb.writer import term_text
+from casper.kb.terms.clauses import Literal as Condition
+from casper.kb.terms.clauses import Production
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, Term, as_term, predication
+from casper.kb.terms.unification import Bindings, is_ground, renamed, unify
 from casper.plans.naming import called, settled, settles, with_values
-from casper.plans.plan import Action, Node, Plan, Shape, Task
+from casper.plans.nodes import Action, Node, Shape, Task
+from casper.plans.plan import Plan
 from casper.plans.shapes import CHOICES, SHAPES, Items, partial_order
 
 MOST_PLANS = 100_000

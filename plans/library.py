@@ -13,11 +13,13 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from casper.kb.clauses import Clause, Production, Sentence
 from casper.kb.errors import Place, PlanError
-from casper.kb.reader import read_statement, read_text
-from casper.kb.terms import Compound, Term, Variable, as_term, predication, substitute, variables_of
-from casper.kb.writer import program_text, term_text
+from casper.kb.terms.clauses import Clause, Production, Sentence
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
+from casper.kb.terms.unification import substitute, variables_of
+from casper.kb.text.reader import read_statement, read_text
+from casper.kb.text.writer import program_text
 from casper.plans.expansion import MOST_PLANS, expand
 from casper.plans.plan import Plan
 from casper.plans.shapes import SHAPES

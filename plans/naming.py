@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from casper.kb.terms import Bindings, Compound, Term, Variable, is_ground, substitute, variables_of, walk
-from casper.plans.plan import Action, Node, Shape, Task
+from casper.kb.terms.terms import Compound, Term, Variable
+from casper.kb.terms.unification import Bindings, is_ground, substitute, variables_of, walk
+from casper.plans.nodes import Action, Node, Shape, Task
 
 
 def settled(node: Node, bindings: Bindings) -> Node:

@@ -15,9 +15,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from casper.kb.clauses import Clause, Literal
 from casper.kb.errors import Place
-from casper.kb.terms import Compound, Term, Variable, as_term, is_ground, variables_of
+from casper.kb.terms.clauses import Clause, Literal
+from casper.kb.terms.terms import Compound, Term, Variable, as_term
+from casper.kb.terms.unification import is_ground, variables_of
 from casper.plans.chart import bits
 from casper.plans.library import PlanLibrary
 from casper.plans.plan import Plan

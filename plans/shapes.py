@@ -10,8 +10,9 @@ from collections.abc import Callable, Iterator
 from typing import TypeAlias
 
 from casper.kb.errors import Place, PlanError
-from casper.kb.terms import NIL, Compound, Term, list_items, renamed
-from casper.kb.writer import term_text
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import NIL, Compound, Term, list_items
+from casper.kb.terms.unification import renamed
 
 MOST_TIMES = 1000
 Items: TypeAlias = tuple[Term, ...]

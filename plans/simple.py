@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from casper.kb.terms import Compound, Term, Variable
+from casper.kb.terms.terms import Compound, Term, Variable
 
 _NAME = r"[a-z][A-Za-z0-9_]*"
 _ARGUMENT = rf"(?:{_NAME}|[A-Z][A-Za-z0-9_]*)"

@@ -10,14 +10,15 @@ from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
 from casper.plans.chart import children_before
-from casper.plans.plan import Action, Node, Plan, Task, actions_below, is_plain
+from casper.plans.nodes import Action, Node, Task, actions_below
+from casper.plans.plan import Plan
 
 Row: TypeAlias = tuple[Node, ...]  # nodes without shapes, one after the other
 
 
 def spelled_out(plan: Plan) -> Iterator[Plan]:
     """Every plain plan that the plan stands for; itself, if it has no shapes."""
-    if is_plain(plan):
+    if plan.is_plain:
         yield plan
         return
     for (root,) in _rows(plan.root):

@@ -12,9 +12,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, islice
 
-from casper.kb.finding import Finding, note, warning
-from casper.kb.terms import Compound, Variable, as_term, substitute, unify, variables_of
-from casper.kb.writer import term_text
+from casper.kb.checks.finding import Finding, note, warning
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, Variable, as_term
+from casper.kb.terms.unification import substitute, unify, variables_of
 from casper.plans.chart import Chart
 from casper.plans.library import PlanLibrary, goal_of
 from casper.plans.plan import Plan

@@ -23,9 +23,11 @@ from collections.abc import Iterable, Sequence
 from itertools import count
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
-from casper.kb.terms import Bindings, as_term, substitute
-from casper.kb.writer import term_text
-from casper.plans.plan import Action, Node, Plan, Shape
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import as_term
+from casper.kb.terms.unification import Bindings, substitute
+from casper.plans.nodes import Action, Node, Shape
+from casper.plans.plan import Plan
 
 if TYPE_CHECKING:
     import networkx as nx

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from casper.engine.world import AgentState, ObjectState, WorldState
-from casper.sim_adapter.human import Human
-from casper.sim_adapter.physics import Physics
-from casper.sim_adapter.robot import Robot
+from casper.engine.perception.world import AgentState, ObjectState, WorldState
+from casper.sim_adapter.human.human import Human
+from casper.sim_adapter.physics.physics import Physics
+from casper.sim_adapter.robot.robot import Robot
 
 
 def truth(physics: Physics, human: Human, robot: Robot) -> WorldState:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from casper.engine.domain import Domain
-from casper.engine.matching import Mismatch, bindings_of
-from casper.engine.verified_matching import settle
+from casper.engine.domain.domain import Domain
+from casper.engine.verification.matching import Mismatch, bindings_of
+from casper.engine.verification.verified_matching import settle
 from casper.kb.errors import DomainError, PlanError
-from casper.kb.terms import Compound, is_ground, substitute
-from casper.kb.writer import term_text
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound
+from casper.kb.terms.unification import is_ground, substitute
 from casper.plans.library import GOAL
 from casper.plans.plan import Plan
 from casper.plans.spelling import spelled_out

@@ -6,18 +6,18 @@ import math
 
 import numpy as np
 
-from casper.engine.world import WorldState
+from casper.engine.perception.world import WorldState
 from casper.kb.errors import DomainError
 from casper.sim_adapter.adapter import truth
-from casper.sim_adapter.geometry import Disc, floor_of
-from casper.sim_adapter.human import Human
-from casper.sim_adapter.navigation import Navigator
-from casper.sim_adapter.physics import STILL_SPEED, Physics
-from casper.sim_adapter.placement import is_placed
-from casper.sim_adapter.robot import Robot
-from casper.sim_adapter.scene import Point, Scene
-from casper.sim_adapter.sensors import Sensor
-from casper.sim_adapter.vantage import vantage
+from casper.sim_adapter.eye.sensors import Sensor
+from casper.sim_adapter.eye.vantage import vantage
+from casper.sim_adapter.human.human import Human
+from casper.sim_adapter.physics.physics import STILL_SPEED, Physics
+from casper.sim_adapter.robot.robot import Robot
+from casper.sim_adapter.room.geometry import Disc, floor_of
+from casper.sim_adapter.room.navigation import Navigator
+from casper.sim_adapter.room.placement import is_placed
+from casper.sim_adapter.room.scene import Point, Scene
 
 APART = 0.1  # metres kept between two agents beside their radii
 GLANCE = 5  # control steps between two looks after the partner

@@ -7,7 +7,7 @@ from collections.abc import Generator, Iterable
 from dataclasses import dataclass, field
 
 from casper.kb.errors import DomainError
-from casper.sim_adapter.scene import Scene
+from casper.sim_adapter.room.scene import Scene
 
 SKILLS = ("pick_and_place", "use", "walk_to", "still", "stand_aside", "step_back")
 

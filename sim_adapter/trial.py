@@ -9,12 +9,12 @@ import random
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from casper.engine.domain import Domain
+from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.mind import Mind
-from casper.kb.terms import Compound, as_term
-from casper.kb.writer import term_text
-from casper.sim_adapter.scene import scene_from
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, as_term
+from casper.sim_adapter.room.scene import scene_from
 from casper.sim_adapter.script import ScriptedAction, script_for, step_for
 from casper.sim_adapter.simulation import Simulation
 from casper.sim_adapter.steps import Step

@@ -10,11 +10,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from casper.engine.matching import NameMatcher, ParameterMatcher
-from casper.engine.observation import Observation
 from casper.engine.recognition.recognisers import PAPER, Options, recogniser
-from casper.kb.terms import Compound, Variable
-from casper.plans.plan import Action, Plan, Shape, Task
+from casper.engine.verification.matching import NameMatcher, ParameterMatcher
+from casper.engine.verification.observation import Observation
+from casper.kb.terms.terms import Compound, Variable
+from casper.plans.nodes import Action, Shape, Task
+from casper.plans.plan import Plan
 
 ROOT = Path(__file__).resolve().parent.parent
 for folder in (ROOT, ROOT / "benchmarks" / "recognition"):

@@ -13,8 +13,8 @@ from itertools import chain
 from typing import Any, TypeAlias
 
 from casper.kb.base import KnowledgeBase
-from casper.kb.clauses import Clause
-from casper.kb.terms import Compound
+from casper.kb.terms.clauses import Clause
+from casper.kb.terms.terms import Compound
 
 from . import prolog
 from .figures import OURS, Figure, Rows, Sizes, Skipped, fingerprint, timed

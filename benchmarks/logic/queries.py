@@ -10,9 +10,9 @@ from kanren import Relation, conde, eq, facts, run, var
 from kanren.constraints import neq
 
 from casper.kb.base import KnowledgeBase
-from casper.kb.clauses import Clause
-from casper.kb.terms import Variable
-from casper.kb.writer import program_text
+from casper.kb.terms.clauses import Clause
+from casper.kb.terms.terms import Variable
+from casper.kb.text.writer import program_text
 
 from . import prolog
 from .figures import CONTROL, OURS, Figure, Sizes, Skipped, per_call

@@ -8,7 +8,7 @@ from typing import Any
 
 from kanren import Relation, facts, lall, run, var
 
-from casper.kb.streams import lall as flat
+from casper.kb.goals.streams import lall as flat
 
 from . import prolog
 from .figures import OURS, Figure, Rows, Sizes, Skipped, per_call

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 from meaning import Leaves, Meaning
 
-from casper.engine.matching import Binding, Matcher, Mismatch
-from casper.engine.observation import Observation
+from casper.engine.verification.matching import Binding, Matcher, Mismatch
+from casper.engine.verification.observation import Observation
 from casper.plans.plan import Plan
 
 BUDGET = 300_000  # explanations

@@ -14,12 +14,12 @@ from libraries import chains
 from timing import median, significant, told
 
 from casper import Domain
-from casper.engine.matching import NameMatcher
-from casper.engine.observation import Observation
 from casper.engine.recognition import tree_copying
 from casper.engine.recognition.arrays import Arrays
 from casper.engine.recognition.chains import Chains
 from casper.engine.recognition.recognisers import PAPER, recogniser
+from casper.engine.verification.matching import NameMatcher
+from casper.engine.verification.observation import Observation
 
 
 def kitchen() -> None:

@@ -12,9 +12,9 @@ from typing import TypeAlias
 from baseline import Baseline, TooMany
 from timing import significant, told
 
-from casper.engine.matching import Matcher
-from casper.engine.observation import Observation
 from casper.engine.recognition.recognisers import Options, Recogniser, recogniser
+from casper.engine.verification.matching import Matcher
+from casper.engine.verification.observation import Observation
 from casper.plans.plan import Plan
 
 Episodes: TypeAlias = Sequence[Sequence[Observation]]

@@ -8,9 +8,10 @@ from collections.abc import Iterable, Sequence
 from libraries import THINGS
 from meaning import comes_before
 
-from casper.engine.observation import Observation
-from casper.kb.terms import Compound
-from casper.plans.plan import Action, Node, Plan, Shape
+from casper.engine.verification.observation import Observation
+from casper.kb.terms.terms import Compound
+from casper.plans.nodes import Action, Node, Shape
+from casper.plans.plan import Plan
 
 
 def episode(plans: Sequence[Plan], length: int, chance: random.Random, together: int = 1) -> list[Observation]:

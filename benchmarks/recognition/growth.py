@@ -23,8 +23,6 @@ from growth_picture import draw
 from libraries import chains, with_parameters
 from timing import times
 
-from casper.engine.matching import Matcher, NameMatcher, ParameterMatcher
-from casper.engine.observation import Observation
 from casper.engine.recognition import tree_copying
 from casper.engine.recognition.arrays import Arrays
 from casper.engine.recognition.chains import Chains
@@ -32,6 +30,8 @@ from casper.engine.recognition.interleaving import Interleaving
 from casper.engine.recognition.noisy_arrays import NoisyArrays
 from casper.engine.recognition.pairs import Pairs
 from casper.engine.recognition.recognisers import Options, recogniser
+from casper.engine.verification.matching import Matcher, NameMatcher, ParameterMatcher
+from casper.engine.verification.observation import Observation
 from casper.plans.plan import Plan
 
 PATIENCE = 2.0  # seconds for an episode

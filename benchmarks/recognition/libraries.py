@@ -7,9 +7,10 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations, count, cycle
 from typing import Literal, TypeAlias
 
-from casper.kb.terms import Compound, Variable
+from casper.kb.terms.terms import Compound, Variable
 from casper.plans.library import PlanLibrary
-from casper.plans.plan import Action, Plan, Shape, Task
+from casper.plans.nodes import Action, Shape, Task
+from casper.plans.plan import Plan
 
 THINGS = ("cup", "pot", "pan", "jar", "tray", "bowl")
 PARAMETERS = (Variable("X"), Variable("Y"))

@@ -13,7 +13,8 @@ from itertools import count
 from operator import or_
 from typing import TypeAlias
 
-from casper.plans.plan import Action, Node, Plan, Shape
+from casper.plans.nodes import Action, Node, Shape
+from casper.plans.plan import Plan
 
 Leaves: TypeAlias = int
 Path: TypeAlias = tuple[tuple[Node, int], ...]  # down to a leaf: each node with the number of the child taken

@@ -10,8 +10,8 @@ from episodes import carried_out, episode
 from libraries import chains, with_parameters
 from timing import median, told
 
-from casper.engine.matching import NameMatcher, ParameterMatcher
 from casper.engine.recognition.recognisers import Options, recogniser
+from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 
 NOISE = Options(noise=0.1)
 

@@ -12,10 +12,10 @@ from episodes import blurred, carried_out, episode, interleaved
 from libraries import AndOr, chains, partly_ordered, strands, with_parameters
 from timing import median, significant, times, told
 
-from casper.engine.matching import NameMatcher, ParameterMatcher
-from casper.engine.observation import Observation
 from casper.engine.recognition.interleaving import Interleaving
 from casper.engine.recognition.recognisers import Options, recogniser
+from casper.engine.verification.matching import NameMatcher, ParameterMatcher
+from casper.engine.verification.observation import Observation
 from casper.plans.plan import Plan
 
 TWO = Options(goals=2)

@@ -9,9 +9,9 @@ from comparison import compared
 from episodes import blurred, carried_out
 from libraries import AndOr, Order, choices, strands
 
-from casper.engine.matching import NameMatcher, ParameterMatcher
 from casper.engine.recognition.recognisers import PAPER
-from casper.plans.plan import Action, Node, Shape
+from casper.engine.verification.matching import NameMatcher, ParameterMatcher
+from casper.plans.nodes import Action, Node, Shape
 
 AND_OR: tuple[tuple[Order, int, float | None], ...] = (  # order, action names, bound in ms
     ("ordered", 100, 10),

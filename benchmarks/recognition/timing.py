@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from casper.engine.observation import Observation
+from casper.engine.verification.observation import Observation
 
 held: list[bool] = []  # of every figure told so far, whether its bound was held
 

@@ -1,1 +1,4 @@
-"""Plan recognition: engines that give the same answers, and the specification that says what the answers are."""
+"""Counting explanations: kernels that count, one teller that says what the counts mean.
+
+In: plans and observations. Out: counts, posteriors, standings, explanations best first (`docs/recognition.md`).
+"""

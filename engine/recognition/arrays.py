@@ -16,12 +16,12 @@ from dataclasses import dataclass
 from threading import Lock
 from typing import Any, TypeAlias
 
-from casper.engine.matching import Binding, Matcher
-from casper.engine.observation import Seen
-from casper.engine.policy import Standing
 from casper.engine.recognition.exact import exactly
 from casper.engine.recognition.replay import Replay
 from casper.engine.recognition.scoring import least_tie
+from casper.engine.recognition.standing import Standing
+from casper.engine.verification.matching import Binding, Matcher
+from casper.engine.verification.observation import Seen
 from casper.plans.plan import Plan
 
 Array: TypeAlias = Any  # numpy.ndarray; numpy is imported when the first large library is read

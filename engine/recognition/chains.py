@@ -14,12 +14,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeAlias
 
-from casper.engine.matching import Binding, Matcher
-from casper.engine.observation import Seen
-from casper.engine.policy import Standing
 from casper.engine.recognition.levels import positions_of
 from casper.engine.recognition.replay import Replay
 from casper.engine.recognition.scoring import least_tie
+from casper.engine.recognition.standing import Standing
+from casper.engine.verification.matching import Binding, Matcher
+from casper.engine.verification.observation import Seen
 from casper.plans.plan import Plan
 
 Row: TypeAlias = tuple[int, int, tuple[tuple[int, int], ...]]

@@ -24,13 +24,13 @@ from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 from itertools import count, takewhile
 
-from casper.engine.explanation import Explanation
-from casper.engine.matching import Binding
-from casper.engine.policy import Standing
+from casper.engine.explanation.explanation import Explanation
 from casper.engine.recognition.levels import Levels
 from casper.engine.recognition.paths import best_first
 from casper.engine.recognition.scoring import least_tie
+from casper.engine.recognition.standing import Standing
 from casper.engine.recognition.states import NEEDLESS, Level, State, successors
+from casper.engine.verification.matching import Binding
 
 
 @dataclass(frozen=True, slots=True)

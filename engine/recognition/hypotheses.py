@@ -11,12 +11,12 @@ from heapq import nlargest
 from math import prod
 from typing import TypeAlias
 
-from casper.engine.matching import Binding, Matcher, Mismatch
-from casper.engine.observation import Observation, Seen, options_of
 from casper.engine.recognition.levels import is_certain, positions_of
 from casper.engine.recognition.scoring import Score, paper
 from casper.engine.recognition.stacks import Stacks
 from casper.engine.recognition.states import NEEDLESS, State, Weight, start
+from casper.engine.verification.matching import Binding, Matcher, Mismatch
+from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.plans.plan import Plan
 
 Part: TypeAlias = tuple[int, State]  # plan, and where it stands

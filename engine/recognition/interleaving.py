@@ -14,13 +14,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
-from casper.engine.explanation import Explanation, Interleaved
-from casper.engine.matching import Binding
-from casper.engine.policy import Standing
+from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.recognition.hypotheses import Counts, Hypotheses, Hypothesis, Mark, Part
 from casper.engine.recognition.paths import best_first
 from casper.engine.recognition.scoring import least_tie
+from casper.engine.recognition.standing import Standing
 from casper.engine.recognition.states import NEEDLESS
+from casper.engine.verification.matching import Binding
 
 
 class Interleaving(Hypotheses):

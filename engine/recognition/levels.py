@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from heapq import nlargest
 
-from casper.engine.matching import Binding, Matcher, Mismatch
-from casper.engine.observation import Observation, Seen, options_of
 from casper.engine.recognition.scoring import Score, paper
 from casper.engine.recognition.stacks import Stacks
 from casper.engine.recognition.states import MOST_STATES, Edges, Level, State, Weight, advance, start, weigh
+from casper.engine.verification.matching import Binding, Matcher, Mismatch
+from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.plans.plan import Plan
 
 

@@ -26,18 +26,18 @@ from heapq import heappop
 from itertools import chain
 from typing import Any
 
-from casper.engine.explanation import Explanation
-from casper.engine.matching import Binding, Matcher, NameMatcher
-from casper.engine.observation import Seen
-from casper.engine.policy import Standing
+from casper.engine.explanation.explanation import Explanation
 from casper.engine.recognition.arrays import Array, Shares
 from casper.engine.recognition.blocks import Layout, Leaves, Table
 from casper.engine.recognition.counting import Counting
 from casper.engine.recognition.exact import exactly
 from casper.engine.recognition.replay import Replay
 from casper.engine.recognition.scoring import least_tie
+from casper.engine.recognition.standing import Standing
 from casper.engine.recognition.states import NEEDLESS
 from casper.engine.recognition.tracing import first_marks
+from casper.engine.verification.matching import Binding, Matcher, NameMatcher
+from casper.engine.verification.observation import Seen
 from casper.plans.plan import Plan
 
 CLOSE = 1 - 1e-9  # weights this near to the best may be equal to it as floats, now or later

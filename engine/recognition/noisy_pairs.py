@@ -28,16 +28,16 @@ from itertools import count
 from math import prod
 from typing import TypeAlias
 
-from casper.engine.explanation import Interleaved
-from casper.engine.matching import Binding, Matcher, Mismatch, NameMatcher
-from casper.engine.observation import Seen
-from casper.engine.policy import Standing
+from casper.engine.explanation.explanation import Interleaved
 from casper.engine.recognition.arrays import Array, Shares
 from casper.engine.recognition.exact import exactly
 from casper.engine.recognition.interleaving import Interleaving
 from casper.engine.recognition.noisy_arrays import CLOSE, NoisyArrays
 from casper.engine.recognition.pair_counts import Ends, PairCounts, States, memory, no_ends, wide
 from casper.engine.recognition.scoring import least_tie
+from casper.engine.recognition.standing import Standing
+from casper.engine.verification.matching import Binding, Matcher, Mismatch, NameMatcher
+from casper.engine.verification.observation import Seen
 from casper.plans.plan import Plan
 
 UNBOUNDED = 1 << 60  # hypotheses

@@ -19,15 +19,15 @@ from heapq import heapify, heappop, heappush
 from itertools import count
 from typing import Any
 
-from casper.engine.explanation import Interleaved
-from casper.engine.matching import Binding, Matcher, Mismatch, NameMatcher
-from casper.engine.observation import Seen
-from casper.engine.policy import Standing
+from casper.engine.explanation.explanation import Interleaved
 from casper.engine.recognition.arrays import Array, Arrays, Shares
 from casper.engine.recognition.exact import exactly
 from casper.engine.recognition.interleaving import Interleaving
 from casper.engine.recognition.levels import positions_of
 from casper.engine.recognition.scoring import least_tie
+from casper.engine.recognition.standing import Standing
+from casper.engine.verification.matching import Binding, Matcher, Mismatch, NameMatcher
+from casper.engine.verification.observation import Seen
 from casper.plans.plan import Plan
 
 

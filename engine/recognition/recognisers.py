@@ -7,15 +7,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, Self
 
-from casper.engine.explanation import Explanation, Interleaved
-from casper.engine.matching import Binding, Matcher, Mismatch, NameMatcher, ParameterMatcher
-from casper.engine.observation import Seen
-from casper.engine.policy import Standing
+from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.recognition.counting import Counting
 from casper.engine.recognition.scoring import Score, paper
+from casper.engine.recognition.standing import Standing
 from casper.engine.recognition.states import MOST_STATES
+from casper.engine.verification.matching import Binding, Matcher, Mismatch, NameMatcher, ParameterMatcher
+from casper.engine.verification.observation import Seen
 from casper.kb.errors import CasperError
-from casper.plans.plan import Plan, is_plain
+from casper.plans.plan import Plan
 
 MANY_PAIRS = 5
 MANY_LEAVES = 400  # of one name: from here on arrays beat plain Python (benchmarks/recognition/growth.py)
@@ -147,7 +147,7 @@ def _by_name(plans: Sequence[Plan], matcher: Matcher) -> bool:
     named = type(matcher) is NameMatcher
     if not named and type(matcher) is ParameterMatcher:
         named = all(len(leaf) == 1 for plan in plans for leaf in plan.leaves)
-    return named and all(map(is_plain, plans))
+    return named and all(plan.is_plain for plan in plans)
 
 
 def _is_large(plans: Sequence[Plan]) -> bool:

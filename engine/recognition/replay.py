@@ -11,11 +11,11 @@ from heapq import heapify, heappop, heappush
 from itertools import islice
 from typing import Any, Self
 
-from casper.engine.explanation import Explanation
-from casper.engine.matching import Binding, Matcher, Mismatch, NameMatcher
-from casper.engine.observation import Seen
-from casper.engine.policy import Standing
+from casper.engine.explanation.explanation import Explanation
 from casper.engine.recognition.counting import Counting, posterior_by
+from casper.engine.recognition.standing import Standing
+from casper.engine.verification.matching import Binding, Matcher, Mismatch, NameMatcher
+from casper.engine.verification.observation import Seen
 from casper.plans.plan import Plan
 
 

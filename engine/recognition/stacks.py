@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import ClassVar, Self
 
-from casper.engine.matching import Matcher, Mismatch
-from casper.engine.observation import Seen
+from casper.engine.verification.matching import Matcher, Mismatch
+from casper.engine.verification.observation import Seen
 
 
 class Stacks:

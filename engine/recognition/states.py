@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TypeAlias
 
-from casper.engine.matching import Binding
+from casper.engine.verification.matching import Binding
 from casper.plans.chart import Chart
 
 State: TypeAlias = tuple[int, int, int, int, int, Binding]

@@ -9,8 +9,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from casper.engine.matching import Binding, Matcher, Mismatch
-from casper.engine.observation import Observation
+from casper.engine.verification.matching import Binding, Matcher, Mismatch
+from casper.engine.verification.observation import Observation
 from casper.plans.plan import Plan
 from casper.plans.tree import plan_tree
 

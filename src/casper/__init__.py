@@ -18,10 +18,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from casper.engine.domain import Domain as Domain
+    from casper.engine.domain.domain import Domain as Domain
     from casper.engine.mind import Mind as Mind
-    from casper.engine.reading import Reading as Reading
-    from casper.engine.world import WorldState as WorldState
+    from casper.engine.perception.world import WorldState as WorldState
+    from casper.engine.reading.reading import Reading as Reading
     from casper.kb.base import KnowledgeBase as KnowledgeBase
     from casper.kb.errors import CasperError as CasperError
     from casper.plans.library import PlanLibrary as PlanLibrary
@@ -30,12 +30,12 @@ __version__ = "0.1.0"
 
 _HOMES = {
     "CasperError": "casper.kb.errors",
-    "Domain": "casper.engine.domain",
+    "Domain": "casper.engine.domain.domain",
     "KnowledgeBase": "casper.kb.base",
     "Mind": "casper.engine.mind",
     "PlanLibrary": "casper.plans.library",
-    "Reading": "casper.engine.reading",
-    "WorldState": "casper.engine.world",
+    "Reading": "casper.engine.reading.reading",
+    "WorldState": "casper.engine.perception.world",
 }
 __all__ = ["CasperError", "Domain", "KnowledgeBase", "Mind", "PlanLibrary", "Reading", "WorldState", "__version__"]
 

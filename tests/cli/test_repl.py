@@ -3,7 +3,7 @@
 import pytest
 
 from casper.cli.session import Session
-from casper.engine.domain import Domain
+from casper.engine.domain.domain import Domain
 
 ONTOLOGY = "human(ann).\ncup(mug). cup(glass).\nfill(A, T) :- human(A), cup(T).\ndrink(A, T) :- human(A), cup(T).\n"
 PLANS = "goal(tea(C)) :- cup(C).\ngoal(wait).\ntea(C) --> fill(C), drink(C).\nwait --> fill(C), fill(C).\n"

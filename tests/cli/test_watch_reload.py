@@ -6,7 +6,7 @@ import shutil
 import pytest
 
 from casper.cli.watch import watched
-from casper.engine.domain import SHIPPED, Domain
+from casper.engine.domain.domain import SHIPPED, Domain
 from casper.engine.mind import Mind
 
 STATE = {

@@ -7,12 +7,12 @@ import sys
 import pytest
 from low_level_kitchen import QDC, five_clauses, kitchen_rows
 
-from casper.engine.actions import action_recogniser, context_table, contextualise
-from casper.engine.focus import FocusEstimator, focus_settings
-from casper.engine.movements import MovementClassifier
-from casper.engine.perception import Perception, perception_settings
-from casper.engine.tracking import Tracker, tracker_settings
-from casper.engine.world import AgentState, ObjectState, WorldState
+from casper.engine.actions.actions import action_recogniser, context_table, contextualise
+from casper.engine.movements.movements import MovementClassifier
+from casper.engine.perception.focus import FocusEstimator, focus_settings
+from casper.engine.perception.perception import Perception, perception_settings
+from casper.engine.perception.tracking import Tracker, tracker_settings
+from casper.engine.perception.world import AgentState, ObjectState, WorldState
 
 OBJECTS = {
     "sink": (-1.01, 1.33),
@@ -122,8 +122,8 @@ def test_reading_a_person_needs_no_heavy_library():
 
     code = (
         "import sys\n"
-        "import casper.engine.actions, casper.engine.focus, casper.engine.hmm, casper.engine.movements\n"
-        "import casper.engine.perception, casper.engine.ratcliff, casper.engine.tracking, casper.engine.movement_tree\n"
+        "import casper.engine.actions.actions, casper.engine.perception.focus, casper.engine.actions.hmm, casper.engine.movements.movements\n"
+        "import casper.engine.perception.perception, casper.engine.actions.ratcliff, casper.engine.perception.tracking, casper.engine.movements.tree\n"
         "print([name for name in ('numpy', 'sklearn', 'mujoco', 'matplotlib') if name in sys.modules])"
     )
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"

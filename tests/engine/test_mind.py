@@ -7,9 +7,9 @@ import math
 import pytest
 
 from casper import Domain, Mind
-from casper.engine.movements import Movement
-from casper.engine.observation import Observation
-from casper.engine.world import AgentState, ObjectState, WorldState
+from casper.engine.movements.movements import Movement
+from casper.engine.perception.world import AgentState, ObjectState, WorldState
+from casper.engine.verification.observation import Observation
 from casper.kb.errors import CasperError, DomainError, WorldStateError
 
 KITCHEN = Domain.load("kitchen")

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from casper.kb.authoring import Author, claim, constraint, did, predicate, rule, valid, variable, variables
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import ProgramError
-from casper.kb.reader import read_text
+from casper.kb.text.reader import read_text
 
 X, Y, N, M = variables("X Y N M")
 human, robot, agent, near, age = (

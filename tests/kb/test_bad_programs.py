@@ -3,10 +3,10 @@
 import pytest
 
 from casper.kb.base import KnowledgeBase
-from casper.kb.clauses import Clause, Literal
 from casper.kb.errors import ProgramError
-from casper.kb.reader import read_text
-from casper.kb.terms import Compound, Variable
+from casper.kb.terms.clauses import Clause, Literal
+from casper.kb.terms.terms import Compound, Variable
+from casper.kb.text.reader import read_text
 
 
 def refusal(text):

@@ -6,8 +6,8 @@ from itertools import chain, combinations, product
 import pytest
 from kanren import run, var
 
-from casper.engine.domain import Domain
-from casper.kb.terms import Compound, Variable
+from casper.engine.domain.domain import Domain
+from casper.kb.terms.terms import Compound, Variable
 
 AGENTS = ("human", "tiago")
 THINGS = ("biscuits", "meal", "bottle", "plate", "glass", "sink", "hobs")

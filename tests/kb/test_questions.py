@@ -6,8 +6,8 @@ from programs import DERIVED, ground_terms, programs, statements_over
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import BudgetExceeded, ProgramError
-from casper.kb.reader import read_query
-from casper.kb.terms import Compound, Variable
+from casper.kb.terms.terms import Compound, Variable
+from casper.kb.text.reader import read_query
 
 
 def everything(base, name, arity):

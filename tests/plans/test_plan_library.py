@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from casper.kb.errors import PlanError, ReadError
-from casper.kb.reader import read_text
+from casper.kb.text.reader import read_text
 from casper.plans.library import PlanLibrary
 
 

@@ -4,8 +4,8 @@ from functools import cache
 
 import pytest
 
-from casper.engine.domain import Domain
-from casper.kb.writer import program_text
+from casper.engine.domain.domain import Domain
+from casper.kb.text.writer import program_text
 from casper.plans.library import PlanLibrary
 from casper.plans.relations import plan_clauses
 

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from casper.kb.terms import Variable
+from casper.kb.terms.terms import Variable
 from casper.plans.library import PlanLibrary
 from casper.plans.tree import plan_tree, statuses, tree_text
 

@@ -7,9 +7,9 @@ pytest.importorskip("mujoco")
 import mujoco
 from simulated_kitchen import SCRIPTS, kitchen_scene, put, run_until_idle
 
-from casper.engine.world import world_state_from_json, world_state_to_json
+from casper.engine.perception.world import world_state_from_json, world_state_to_json
 from casper.kb.errors import DomainError
-from casper.sim_adapter.model import build_model, build_spec
+from casper.sim_adapter.physics.model import build_model, build_spec
 from casper.sim_adapter.simulation import Simulation
 
 

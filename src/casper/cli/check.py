@@ -11,7 +11,7 @@ import typer
 from casper.cli.options import AsJson, DomainName
 
 if TYPE_CHECKING:
-    from casper.kb.finding import Finding
+    from casper.kb.checks.finding import Finding
 
 _STYLE = {"error": "bold red", "warning": "yellow", "note": "cyan"}
 
@@ -22,8 +22,8 @@ def check(domain: DomainName, as_json: AsJson = False) -> None:
     Exit code 0 without errors (there may be warnings and notes), 1 with errors, 2 when there is no such domain.
     """
     from casper.cli.output import print_json
-    from casper.engine.domain_check import check_domain
-    from casper.kb.finding import Severity
+    from casper.engine.domain.check import check_domain
+    from casper.kb.checks.finding import Severity
 
     findings = check_domain(domain)
     if as_json:

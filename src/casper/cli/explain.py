@@ -10,7 +10,7 @@ import typer
 from casper.cli.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
 
 if TYPE_CHECKING:
-    from casper.engine.reading import Reading
+    from casper.engine.reading.reading import Reading
 
 
 def explain(
@@ -31,7 +31,7 @@ def explain(
 ) -> None:
     """Explain observed actions: after each one, the goals, the best explanations, and why the others are out."""
     from casper.cli.output import print_json
-    from casper.engine.domain import Domain
+    from casper.engine.domain.domain import Domain
 
     reading = Domain.load(domain).reading(policy, verification=not no_verification, noise=noise, goals=goals)
     for action in actions:
@@ -42,7 +42,7 @@ def explain(
         else:
             show(reading, top, questions)
     if picture is not None:
-        from casper.engine.pictures import save_picture
+        from casper.engine.explanation.pictures import save_picture
 
         save_picture([part for explanation in reading.best(max(top, 1)) for part in explanation.parts], picture)
 
@@ -52,8 +52,8 @@ def show(reading: Reading, top: int, questions: int = 0) -> None:
     from rich.markup import escape
 
     from casper.cli.output import bar, console
-    from casper.kb.terms import as_term
-    from casper.kb.writer import term_text
+    from casper.kb.terms.syntax import term_text
+    from casper.kb.terms.terms import as_term
     from casper.plans.tree import tree_text
 
     out = console()

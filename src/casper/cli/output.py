@@ -7,8 +7,8 @@ from typing import Any
 
 from rich.console import Console
 
-from casper.kb.terms import Term, Variable, as_term, predication
-from casper.kb.writer import term_text
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Term, Variable, as_term, predication
 
 
 def console() -> Console:

@@ -17,8 +17,8 @@ def query(
 ) -> None:
     """Answer a question to a domain, whichever of its parts are known."""
     from casper.cli.output import console, json_value, print_json
-    from casper.engine.domain import Domain
-    from casper.kb.writer import term_text
+    from casper.engine.domain.domain import Domain
+    from casper.kb.terms.syntax import term_text
 
     out, found = console(), False
     for answer in Domain.load(domain).kb.query(goal, limit):

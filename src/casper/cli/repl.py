@@ -24,7 +24,7 @@ def repl(domain: DomainName) -> None:
     In a terminal there are a history and completion (Tab). Lines that come through a pipe are answered likewise.
     """
     from casper.cli.session import Session
-    from casper.engine.domain import Domain
+    from casper.engine.domain.domain import Domain
 
     session = Session(Domain.load(domain))
     terminal = sys.stdin.isatty()

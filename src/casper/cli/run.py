@@ -30,7 +30,7 @@ def run(
     from casper.cli.extras import needs
     from casper.cli.output import console, print_json
     from casper.cli.timeline import Timeline
-    from casper.engine.domain import Domain
+    from casper.engine.domain.domain import Domain
 
     loaded = Domain.load(domain)
     needs("mujoco", "sim")

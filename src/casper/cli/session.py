@@ -7,14 +7,15 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from casper.cli.output import console
-from casper.engine.domain import Domain
-from casper.engine.reload import carried_over, reloaded
-from casper.kb.clauses import Clause, Production
+from casper.engine.domain.domain import Domain
+from casper.engine.domain.reload import carried_over, reloaded
 from casper.kb.errors import BudgetExceeded, CasperError
-from casper.kb.writer import sentence_text, term_text
+from casper.kb.terms.clauses import Clause, Production
+from casper.kb.terms.syntax import term_text
+from casper.kb.text.writer import sentence_text
 
 if TYPE_CHECKING:
-    from casper.engine.reading import Reading
+    from casper.engine.reading.reading import Reading
 
 PAGE = 10  # answers shown at once
 HELP = """\

@@ -10,7 +10,7 @@ import typer
 from casper.cli.options import AsJson, DomainName
 
 if TYPE_CHECKING:
-    from casper.engine.movement_tree import Evaluation
+    from casper.engine.movements.tree import Evaluation
 
 
 def train(
@@ -24,14 +24,14 @@ def train(
     """Learn which movement it is from qualitative relations, judged by leaving one trial out."""
     from casper.cli.extras import needs
     from casper.cli.output import print_json
-    from casper.engine.domain import Domain
+    from casper.engine.domain.domain import Domain
     from casper.kb.errors import DomainError
 
     needs("sklearn", "train")
     needs("mujoco", "sim")
-    from casper.engine.movement_clauses import compile_tree
-    from casper.engine.movement_tree import fit, leave_one_trial_out
-    from casper.sim_adapter.samples import training_samples
+    from casper.engine.movements.clauses import compile_tree
+    from casper.engine.movements.tree import fit, leave_one_trial_out
+    from casper.sim_adapter.training.samples import training_samples
 
     loaded = Domain.load(domain)
     samples = list(training_samples(loaded, trials, seed))

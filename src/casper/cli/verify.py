@@ -10,7 +10,7 @@ from casper.cli.options import AsJson, DomainName
 
 if TYPE_CHECKING:
     from casper.kb.base import KnowledgeBase
-    from casper.kb.validity import Verdict
+    from casper.kb.reasons.validity import Verdict
 
 
 def verify(
@@ -20,7 +20,7 @@ def verify(
 ) -> None:
     """Judge statements, each with its proof, or with the reasons against it and what would mend it."""
     from casper.cli.output import print_json
-    from casper.engine.domain import Domain
+    from casper.engine.domain.domain import Domain
     from casper.kb.errors import DomainError
 
     loaded = Domain.load(domain)
@@ -53,8 +53,8 @@ def _show(verdict: Verdict, kb: KnowledgeBase) -> None:
     from rich.markup import escape
 
     from casper.cli.output import console
-    from casper.kb.terms import as_term
-    from casper.kb.writer import term_text
+    from casper.kb.terms.syntax import term_text
+    from casper.kb.terms.terms import as_term
 
     out, statement = console(), escape(term_text(as_term(verdict.statement)))
     if verdict.valid:

@@ -28,7 +28,7 @@ def watch(
     """Watch a partner through world states on standard input; a bad line is reported and left out."""
     from casper.cli.output import console, print_json
     from casper.cli.timeline import Timeline
-    from casper.engine.domain import Domain
+    from casper.engine.domain.domain import Domain
     from casper.engine.mind import Mind
 
     loaded = Domain.load(domain)
@@ -46,9 +46,9 @@ def watched(mind: Mind, lines: Iterable[str], reload: bool = False) -> Iterator[
 
     With ``reload`` changes in the domain's files are taken in between two lines, and told as warnings, too.
     """
+    from casper.engine.domain.reload import Live
     from casper.engine.events import Event
-    from casper.engine.reload import Live
-    from casper.engine.world import world_state_from_json
+    from casper.engine.perception.world import world_state_from_json
     from casper.kb.errors import WorldStateError
 
     now, live = 0.0, Live(mind)

@@ -1,0 +1,173 @@
+"""The forward algorithm over the same FSMs: how likely each action is to have happened by now.
+
+What is seen is the classifier's answer, which the emission table says how far to trust: the raw movement of each
+step is taken in, since the model itself does what the mode filter does for Ratcliff-Obershelp.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from casper.engine.actions.fsm import Fsm
+from casper.engine.actions.hmm_model import HmmModel
+from casper.engine.actions.prediction import ActionSettings, Prediction
+from casper.engine.movements.movements import Movement, MovementFilter
+from casper.engine.settings import Rows, number, require
+from casper.kb.errors import DomainError
+
+Emission = Mapping[str, Mapping[str, float]]
+_NEGLIGIBLE = 1e-7
+
+
+def read_emission(rows: Rows, movements: tuple[str, ...], error: float) -> Emission:
+    """Facts ``emission(True, Seen, P)``; without any, ``error`` is spread evenly over the other movements.
+
+    A movement that is seen and never emitted, by a table, gets a small chance, so that it cannot rule out
+    everything.
+
+    Raises:
+        DomainError: an unknown movement, a row that is missing or does not add up to 1.
+    """
+    even = {
+        true: {seen: 1.0 - error if seen == true else error / (len(movements) - 1) for seen in movements}
+        for true in movements
+    }
+    table: dict[str, dict[str, float]] = {}
+    for true, seen, p in rows("emission", 3):
+        require(true in even and seen in even, f"emission({true}, {seen}, {p}) names a movement no transition has")
+        table.setdefault(true, {})[seen] = number(p, f"emission({true}, {seen}, {p})")
+    if not table:
+        return even
+    for true in movements:
+        row = table.get(true, {})
+        require(
+            abs(sum(row.values()) - 1.0) < 0.02,
+            f"emission({true}, …) adds up to {sum(row.values()):g}, not 1",
+        )
+    return {true: {seen: max(table[true].get(seen, 0.0), 1e-3) for seen in movements} for true in movements}
+
+
+class HmmRecogniser:
+    """The online recogniser: a prediction stands while one action has happened with ``certainty``.
+
+    An action has happened when its cycle is complete. After an accepted action the belief about the movement
+    stays and that about the action begins anew; an accepted loop (Use) may go on without counting again.
+
+    Raises:
+        DomainError: at construction, for an action without a cycle.
+    """
+
+    def __init__(self, settings: ActionSettings, fsms: tuple[Fsm, ...], emission: Emission) -> None:
+        require(bool(fsms), "no action has transitions, so none can be recognised")
+        for fsm in fsms:
+            if not fsm.cycle:
+                raise DomainError(f"{fsm.action} needs cycle({fsm.action}, N, Movement) facts to be recognised by hmm")
+        self.settings = settings
+        self._fsms = {fsm.action: fsm for fsm in fsms}
+        self._emission = emission
+        self._model = HmmModel(settings, fsms)
+        self._filter = MovementFilter(settings.filter_window)
+        self.reset()
+
+    def reset(self) -> None:
+        """Forget everything."""
+        self._filter.reset()
+        self._window: list[str] = []
+        self._belief = dict(self._model.initial)
+        self._t: float | None = None
+        self._standing: str | None = None
+        self._candidate, self._run = "", 0
+        self._scores = dict.fromkeys(self._fsms, 0.0)
+
+    @property
+    def scores(self) -> Mapping[str, float]:
+        """The probability of each action to have happened, after the last step."""
+        return self._scores
+
+    @property
+    def underway(self) -> Mapping[str | None, float]:
+        """The probability of each action to be going on or to have happened; None stands for no action."""
+        shares: dict[str | None, float] = dict.fromkeys((None, *self._fsms), 0.0)
+        for index, p in self._belief.items():
+            state = self._model.states[index]
+            shares[state.action if state.progress >= 0 else None] += p
+        return shares
+
+    @property
+    def window(self) -> tuple[str, ...]:
+        """The filtered movements since the last accepted action (shown; the belief does not use them)."""
+        return tuple(self._window)
+
+    def update(self, movement: Movement) -> Prediction | None:
+        """Take in the movement of one step; the standing prediction, if any.
+
+        Raises:
+            DomainError: a movement no FSM knows.
+        """
+        change = self._filter.update(movement)
+        if change is not None:
+            self._window.append(change.name)
+        self._forward(movement.t, movement.name)
+        self._scores = self._happened()
+        before, self._standing = self._standing, self._confirmed()
+        action = self._standing
+        if action is None:
+            return None
+        score = self._scores[action]
+        return Prediction(movement.t, action, score, self._scores, self.window, before != action)
+
+    def accept(self) -> None:
+        """Begin anew behind the standing action; what movement is going on stays believed."""
+        after = self._fsms[self._standing] if self._standing is not None else None
+        belief: dict[int, float] = {}
+        for index, p in self._belief.items():
+            state = self._model.after(after, self._model.states[index].movement)
+            belief[state] = belief.get(state, 0.0) + p
+        self._belief = belief
+        self._window, self._standing, self._candidate, self._run = [], None, "", 0
+        self._scores = dict.fromkeys(self._fsms, 0.0)
+
+    def _confirmed(self) -> str | None:
+        """The action that has been certain for long enough: a single misread step should not decide."""
+        best = max(self._scores, key=self._scores.__getitem__)
+        if self._scores[best] < self.settings.certainty:
+            best = ""
+        self._run = self._run + 1 if best and best == self._candidate else 1
+        self._candidate = best
+        return best if best and self._run >= self.settings.confirm else None
+
+    def _forward(self, t: float, seen: str) -> None:
+        """Predict with the model, weigh with the emission, normalise; states of no weight are dropped."""
+        states, expected = self._model.states, self._predicted(t)
+        try:
+            likelihood = {name: row[seen] for name, row in self._emission.items()}
+        except KeyError:
+            raise DomainError(f"no transition of any action knows the movement {seen}") from None
+        weighed = {index: p * likelihood[states[index].movement] for index, p in expected.items()}
+        total = sum(weighed.values())
+        least = total * _NEGLIGIBLE
+        self._belief = {index: p / total for index, p in weighed.items() if p > least}
+
+    def _predicted(self, t: float) -> dict[int, float]:
+        """The belief before anything is seen at ``t``: movements last, or change along the arcs."""
+        before, self._t = self._t, t
+        if before is None:
+            return self._belief
+        stay = math.exp(-max(t - before, 0.0) / self.settings.lasts)
+        arcs, change = self._model.arcs, 1.0 - stay
+        expected = {index: p * stay for index, p in self._belief.items()}
+        for index, p in self._belief.items():
+            moved = p * change
+            if moved > _NEGLIGIBLE:
+                for to, chance in arcs[index]:
+                    expected[to] = expected.get(to, 0.0) + moved * chance
+        return expected
+
+    def _happened(self) -> dict[str, float]:
+        scores = dict.fromkeys(self._fsms, 0.0)
+        complete = self._model.complete
+        for index, p in self._belief.items():
+            if (action := complete[index]) is not None:
+                scores[action] += p
+        return scores

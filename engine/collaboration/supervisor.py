@@ -1,0 +1,129 @@
+"""The supervisor (paper section III-G): commits to a goal, holds the collaborative plan, and says when to act."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+from casper.engine.collaboration.collaboration import CollaborativePlan
+from casper.engine.events import Event
+from casper.engine.explanation.explanation import Explanation, Interleaved
+from casper.engine.explanation.situation import Situation
+from casper.kb.terms.terms import Compound
+
+
+@dataclass(frozen=True, slots=True)
+class Commitment:
+    """The goal the robot believes in: since when, from which explanation, and its part in it."""
+
+    goal: str
+    t: float
+    explanation: Explanation | Interleaved
+    plan: CollaborativePlan
+    observations: int  # that had been made by then
+
+
+class Reads(Protocol):
+    """What a supervisor asks of a reading (`engine.reading.reading`)."""
+
+    @property
+    def outcome(self) -> str | None:
+        """The goal that is committed to."""
+
+    @property
+    def observations(self) -> Sequence[object]:
+        """What was observed."""
+
+    @property
+    def posterior(self) -> Mapping[str, float]:
+        """Each goal's share of all scores."""
+
+    def best_of(self, goal: str, /) -> Explanation | Interleaved | None:
+        """The best explanation of a goal."""
+
+    def plan_for(self, agent: str, explanation: Explanation | Interleaved, /) -> CollaborativePlan | None:
+        """The agent's part in it."""
+
+
+class Supervisor:
+    """Turns a reading's outcome into a plan and keeps the plan in step with what the partner does.
+
+    ``robot`` None watches only: goals are predicted, nothing is planned.
+    """
+
+    def __init__(self, reading: Reads, robot: str | None) -> None:
+        self.reading, self.robot = reading, robot
+        self.commitment: Commitment | None = None
+        self.waiting: tuple[Compound, ...] = ()
+        self.actions: tuple[Compound, ...] = ()
+        self._made: CollaborativePlan | None = None  # the last one that was announced
+
+    @property
+    def ready(self) -> bool:
+        """Whether the robot's turn has come: there is something to do and nothing left to wait for."""
+        return bool(self.actions) and not self.waiting
+
+    def update(self, t: float) -> Iterator[Event]:
+        """Look at the reading after an observation; yields ``prediction`` and ``plan`` events where things changed."""
+        goal = self.reading.outcome
+        if goal is not None and (self.commitment is None or self.commitment.goal != goal):
+            yield from self._commit(goal, t)
+        elif self.commitment is not None:
+            yield from self._follow(self.commitment, t)
+
+    def summary(self) -> dict[str, Any]:
+        """The figures of the prediction, at the moment it was made (paper table "results")."""
+        made = self.commitment
+        if made is None:
+            nothing = {"predicted": None, "prediction_time": None}
+            return {**nothing, "observed": 0, "missed": 0, "waiting": 0, "planned": 0}
+        return {
+            "predicted": made.goal,
+            "prediction_time": made.t,
+            "observed": len(made.explanation.marks),
+            "missed": made.explanation.missed,
+            "waiting": len(made.plan.waiting),
+            "planned": len(made.plan.actions),
+        }
+
+    def _commit(self, goal: str, t: float) -> Iterator[Event]:
+        explanation = self.reading.best_of(goal)
+        if explanation is None:
+            return
+        plan = self._planned(explanation)
+        self.commitment = Commitment(goal, t, explanation, plan, len(self.reading.observations))
+        observed = len(explanation.marks)
+        data = {"goal": goal, "confidence": explanation.share, "observed": observed, "missed": explanation.missed}
+        yield Event("prediction", t, {**data, "posterior": dict(self.reading.posterior)})
+        if self.robot is not None:
+            yield from self._announce(plan, t)
+
+    def _planned(self, explanation: Explanation | Interleaved) -> CollaborativePlan:
+        plan = self.reading.plan_for(self.robot or "", explanation)
+        assert plan is not None
+        return plan
+
+    def _follow(self, commitment: Commitment, t: float) -> Iterator[Event]:
+        """The partner went on: wait for less, and leave out what they did themselves. Where they took another way than
+        was expected the robot's part is made anew."""
+        explanation = self.reading.best_of(commitment.goal)
+        if explanation is None or self.robot is None:
+            return
+        before, now = _stand(commitment.explanation, commitment.plan), _stand(explanation, commitment.plan)
+        if before is not None and now is not None and before.leads_to(now):
+            plan = commitment.plan.after(now)
+        else:
+            plan = self._planned(explanation)
+            self.commitment = replace(commitment, explanation=explanation, plan=plan)
+        yield from self._announce(plan, t)
+
+    def _announce(self, plan: CollaborativePlan, t: float) -> Iterator[Event]:
+        if self._made is None or (plan.waiting, plan.actions) != (self.waiting, self.actions):
+            self._made, self.waiting, self.actions = plan, plan.waiting, plan.actions
+            yield Event("plan", t, {**plan.to_json(), "ready": self.ready})
+
+
+def _stand(explanation: Explanation | Interleaved, plan: CollaborativePlan) -> Situation | None:
+    """Where the plan stands that the robot's part belongs to."""
+    return next((part.situation for part in explanation.parts if part.goal == plan.goal), None)

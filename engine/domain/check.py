@@ -1,0 +1,122 @@
+"""All that is wrong with a domain: its clauses (`kb.checks`), its plans (`plans.check`), how they fit together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from casper.engine.domain.check_plans import plans_nobody_can_do
+from casper.engine.domain.check_settings import wrong_settings
+from casper.engine.domain.domain import FILES, ONTOLOGY, SHIPPED, Domain, build, find_domain
+from casper.engine.domain.relations import SHARING_NAMES, SYSTEM_RELATIONS
+from casper.kb.checks.check import Context, check_sentences
+from casper.kb.checks.finding import Finding, Severity, finding_of, sorted_findings
+from casper.kb.errors import CasperError, DomainError, Place
+from casper.kb.terms.clauses import Clause, Indicator, Production, Sentence
+from casper.kb.text.recovery import read_tolerantly
+from casper.kb.text.sources import Sources
+from casper.plans import telling_apart
+from casper.plans.check import check_plans, items_of
+from casper.plans.library import GOAL
+from casper.plans.relations import RELATIONS
+
+
+def check_domain(name: str | Path) -> list[Finding]:
+    """Everything that is wrong with a domain, by file and line.
+
+    Raises:
+        DomainError: there is no such domain.
+    """
+    folder = find_domain(name)
+    read = _Read(folder)
+    findings = list(read.findings)
+    checked = check_sentences(_knowledge(read), _context(read))
+    findings += checked.findings
+    defined = {c.head.indicator for c in checked.kb.clauses} | {c.head.indicator for c in checked.faulty}
+
+    def is_action(indicator: Indicator) -> bool:
+        statement = (indicator[0], indicator[1] + 1)
+        return statement in defined or checked.kb.defines(*statement) or indicator[0] in read.half_read
+
+    findings += check_plans(read.everything, is_action if read.verifies else None)
+    findings += wrong_settings(checked.kb)
+    if not any(f.severity is Severity.ERROR for f in findings):
+        findings += _as_a_whole(folder, read)
+    return sorted_findings(findings)
+
+
+class _Read:
+    """The sentences of a domain's files, as far as they can be read."""
+
+    def __init__(self, folder: Path) -> None:
+        self.findings: list[Finding] = []
+        self.half_read: set[str] = set()
+        sources = Sources((SHIPPED,), self._file, self._note)
+        present = [file for file in FILES if (folder / file).is_file()]
+        self.sentences = {file: sources.sentences(folder / file) for file in present}
+        self.verifies = ONTOLOGY in self.sentences
+
+    @property
+    def everything(self) -> list[Sentence]:
+        return [sentence for found in self.sentences.values() for sentence in found]
+
+    def _file(self, path: Path) -> list[Sentence]:
+        try:
+            text = path.read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as mistake:
+            raise DomainError(f"this file cannot be read ({mistake})", Place(str(path))) from None
+        read = read_tolerantly(text, str(path))
+        self.findings.extend(map(finding_of, read.mistakes))
+        self.half_read |= read.half_read
+        return read.sentences
+
+    def _note(self, mistake: CasperError) -> None:
+        self.findings.append(finding_of(mistake))
+
+
+def _knowledge(read: _Read) -> list[Sentence]:
+    """What the clauses' checks see: a domain without an ontology never asks the conditions of its goals."""
+    if read.verifies:
+        return read.everything
+    return [s for s in read.everything if not (isinstance(s, Clause) and s.head.indicator == GOAL)]
+
+
+def _context(read: _Read) -> Context:
+    """Who asks what in a domain."""
+    productions = [s for s in read.everything if isinstance(s, Production)]
+    actions = {(i.functor, i.arity + 1) for p in productions for i in items_of(p.body)}
+    seen = set(_recognised(read.everything))
+    heads = {s.head.indicator for s in read.everything if isinstance(s, Clause)}
+    asked = {*SYSTEM_RELATIONS, *actions, *((name, arity) for name, arity in heads if name in seen and arity > 1)}
+    given: tuple[Indicator, ...] = (*RELATIONS, GOAL) if productions else ()
+    return Context(asked, [i for i in given if i not in heads], read.half_read, SHARING_NAMES)
+
+
+def _recognised(sentences: Iterable[Sentence]) -> Iterator[str]:
+    """Names of the actions that the low level can see."""
+    for sentence in sentences:
+        if isinstance(sentence, Clause) and sentence.head.indicator in (("transition", 4), ("context", 3)):
+            name = sentence.head[1 if sentence.head.functor == "transition" else 3]
+            if isinstance(name, str):
+                yield name
+
+
+def _as_a_whole(folder: Path, read: _Read) -> Iterator[Finding]:
+    """What only shows when the domain is put together; by then it should load."""
+    try:
+        domain = build(folder.name, folder, read.sentences)
+    except CasperError as mistake:
+        yield finding_of(mistake, Place(str(folder)))
+        return
+    yield from _asked_of(domain)
+    yield from telling_apart.findings(domain.library)
+
+
+def _asked_of(domain: Domain) -> Iterator[Finding]:
+    if domain.verifies:
+        yield from plans_nobody_can_do(domain)
+    try:
+        if domain.library.ways:
+            domain.reading()
+    except CasperError as mistake:  # its priors do not add up
+        yield finding_of(mistake, Place(str(domain.folder)))

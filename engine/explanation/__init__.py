@@ -1,0 +1,4 @@
+"""An explanation: a plan with the leaves that were observed, where it stands, how it is drawn.
+
+In: a plan, marks, a binding. Out: statuses, frontier, marked tree, picture.
+"""

@@ -1,0 +1,205 @@
+"""Object permanence between sensor and perception: what is not seen is where it was last known to be."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from casper.engine.perception.perception import check_world
+from casper.engine.perception.world import AgentState, ObjectState, WorldState
+from casper.engine.settings import Rows, read_settings, require
+
+
+@dataclass(frozen=True, slots=True)
+class TrackerSettings:
+    """What the tracker mends.
+
+    enabled: off passes world states through. gate: metres within which a detection of a resting object is
+    noise and is averaged. memory: over how many detections at most. outliers: so many detections in a row
+    outside the gate mean that it moved. agent_smoothing: weight of the previous estimate of an agent's
+    position, 0 is off. hold_bridge: for how many steps a hand that seems empty still holds. hold_confirm:
+    how many steps in a row an object must be seen in the hand to count as held. agent_bridge: seconds an
+    agent that is out of sight is thought to go on as it went; 0 leaves it absent.
+    """
+
+    enabled: bool = True
+    gate: float = 0.15
+    memory: int = 50
+    outliers: int = 2
+    agent_gate: float = 0.0
+    hold_bridge: int = 1
+    hold_confirm: int = 1
+    agent_bridge: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("gate", "agent_gate", "agent_bridge"):
+            require(getattr(self, name) >= 0.0, f"{name} of the tracker must not be negative")
+        require(self.memory >= 1 and self.outliers >= 1, "memory and outliers of the tracker start at 1")
+        require(self.hold_bridge >= 0 and self.hold_confirm >= 1, "hold_bridge starts at 0, hold_confirm at 1")
+
+
+def tracker_settings(rows: Rows) -> TrackerSettings:
+    """Settings from facts ``setting(tracking, Name, Value)``.
+
+    Raises:
+        DomainError: an unknown setting or a value of the wrong kind.
+    """
+    return read_settings(TrackerSettings, rows, "tracking")
+
+
+class Tracker:
+    """Turns each sensed world state into a steadier one in which nothing once seen is lost."""
+
+    def __init__(self, settings: TrackerSettings) -> None:
+        self.settings = settings
+        self.reset()
+
+    def reset(self) -> None:
+        """Forget every object and agent."""
+        self._t: float | None = None
+        self._agents: dict[str, _AgentTrack] = {}
+        self._objects: dict[str, _ObjectTrack] = {}
+
+    def update(self, world: WorldState) -> WorldState:
+        """The world as it is believed to be at ``world.t``.
+
+        A held object that is not seen is where its holder is; one that is seen is taken as seen.
+
+        Raises:
+            WorldStateError: time that does not advance, or a coordinate that is not finite.
+        """
+        if not self.settings.enabled:
+            return world
+        check_world(self._t, world)
+        self._t = world.t
+        agents = self._track_agents(world)
+        held = {a.holding: a for a in agents.values() if a.holding is not None}
+        objects = {name: self._track_object(name, world, held.get(name)) for name in self._names(world, held)}
+        return WorldState(world.t, agents, objects)
+
+    def _track_agents(self, world: WorldState) -> dict[str, AgentState]:
+        for name in world.agents:
+            if name not in self._agents:
+                self._agents[name] = _AgentTrack()
+        seen = {}
+        for name, track in self._agents.items():
+            state = track.update(world.t, world.agents.get(name), self.settings)
+            if state is not None:
+                seen[name] = state
+        return seen
+
+    def _names(self, world: WorldState, held: dict[str, AgentState]) -> list[str]:
+        """Every object ever met, in the order of meeting, so that what follows is repeatable."""
+        return list(dict.fromkeys((*self._objects, *world.objects, *held)))
+
+    def _track_object(self, name: str, world: WorldState, holder: AgentState | None) -> ObjectState:
+        seen = world.objects.get(name)
+        track = self._objects.get(name)
+        if track is None:
+            first = seen if seen is not None or holder is None else ObjectState(holder.x, holder.y)
+            assert first is not None  # a name comes from the world state or from a hand
+            track = self._objects[name] = _ObjectTrack(first)
+            track.held = holder is not None
+            return first
+        return track.update(seen, holder, self.settings)
+
+
+class _ObjectTrack:
+    """One object: the mean of its detections since it last moved."""
+
+    __slots__ = ("held", "n", "outside", "state")
+
+    def __init__(self, state: ObjectState) -> None:
+        self.state = state
+        self.n = 1
+        self.outside = 0
+        self.held = False
+
+    def update(self, seen: ObjectState | None, holder: AgentState | None, settings: TrackerSettings) -> ObjectState:
+        was_held, self.held = self.held, holder is not None
+        if holder is not None and seen is None:
+            seen = ObjectState(holder.x, holder.y, self.state.z)
+        if seen is None:
+            return self.state
+        if self.held or was_held:
+            self._restart(seen)
+        elif math.hypot(seen.x - self.state.x, seen.y - self.state.y) <= settings.gate:
+            self._average(seen, settings.memory)
+        else:
+            self.outside += 1
+            if self.outside >= settings.outliers:
+                self._restart(seen)
+        return self.state
+
+    def _restart(self, seen: ObjectState) -> None:
+        self.state, self.n, self.outside = seen, 1, 0
+
+    def _average(self, seen: ObjectState, memory: int) -> None:
+        self.n, self.outside = min(self.n + 1, memory), 0
+        state, share = self.state, 1.0 / self.n
+        z = seen.z if seen.z is None or state.z is None else state.z + (seen.z - state.z) * share
+        self.state = ObjectState(state.x + (seen.x - state.x) * share, state.y + (seen.y - state.y) * share, z)
+
+
+class _AgentTrack:
+    """One agent: where it is, how fast it went, what is in its hand."""
+
+    __slots__ = ("_grip", "_n", "_seen_at", "_state", "_t", "_velocity")
+
+    def __init__(self) -> None:
+        self._state: AgentState | None = None
+        self._t = self._seen_at = 0.0
+        self._n = 1
+        self._velocity = (0.0, 0.0)
+        self._grip = _Grip()
+
+    def update(self, t: float, seen: AgentState | None, settings: TrackerSettings) -> AgentState | None:
+        if seen is None:
+            self._state = self._carried_on(t, settings)
+        else:
+            seen = replace(seen, holding=self._grip.update(seen.holding, settings))
+            self._state = self._steadied(t, seen, settings)
+            self._seen_at = t
+        self._t = t
+        return self._state
+
+    def _carried_on(self, t: float, settings: TrackerSettings) -> AgentState | None:
+        state = self._state
+        if state is None or t - self._seen_at > settings.agent_bridge:
+            return None
+        dt = t - self._t
+        return replace(state, x=state.x + self._velocity[0] * dt, y=state.y + self._velocity[1] * dt)
+
+    def _steadied(self, t: float, seen: AgentState, settings: TrackerSettings) -> AgentState:
+        """The mean of what was seen since the agent last took a step; the velocity is kept for a gap."""
+        before = self._state
+        if before is None:
+            self._n, self._velocity = 1, (0.0, 0.0)
+            return seen
+        dx, dy, dt = seen.x - before.x, seen.y - before.y, t - self._t
+        self._n = min(self._n + 1, settings.memory) if math.hypot(dx, dy) <= settings.agent_gate else 1
+        dx, dy = dx / self._n, dy / self._n
+        self._velocity = (dx / dt, dy / dt)
+        return seen if self._n == 1 else replace(seen, x=before.x + dx, y=before.y + dy)
+
+
+class _Grip:
+    """What is in a hand, less the flicker of the sensor."""
+
+    __slots__ = ("_candidate", "_run", "held")
+
+    def __init__(self) -> None:
+        self.held: str | None = None
+        self._candidate: str | None = None
+        self._run = 0
+
+    def update(self, seen: str | None, settings: TrackerSettings) -> str | None:
+        if seen == self.held:
+            self._run = 0
+            return seen
+        self._run = self._run + 1 if seen == self._candidate and self._run else 1
+        self._candidate = seen
+        needed = settings.hold_bridge + 1 if seen is None else settings.hold_confirm
+        if self._run >= needed:
+            self.held, self._run = seen, 0
+        return self.held

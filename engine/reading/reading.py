@@ -1,0 +1,267 @@
+"""A reading: what the partner's actions so far say about their goal, and why.
+
+    >>> reading = Domain.load("kitchen").reading()
+    >>> reading.observe("pick_and_place(meal, hobs)")
+    >>> reading.outcome, reading.confidence
+    ('lunch', 1.0)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
+from typing import Any
+
+from casper.engine.collaboration.collaboration import Capability, CollaborativePlan, collaborative_plan
+from casper.engine.explanation.explanation import Explanation, Interleaved
+from casper.engine.reading.outlook import Outlook
+from casper.engine.reading.policy import Policy, strict
+from casper.engine.reading.questions import Question, questions
+from casper.engine.recognition.noisy_pairs import NoisyPairs
+from casper.engine.recognition.pairs import Pairs
+from casper.engine.recognition.recognisers import PAPER, Options, Recogniser, recogniser
+from casper.engine.recognition.replay import Replay
+from casper.engine.verification.matching import Matcher
+from casper.engine.verification.observation import Observed, Seen, Uncertain, options_of, seen_of
+from casper.kb.errors import CasperError
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, as_term
+from casper.plans.library import PlanLibrary
+
+WEIGHABLE = 300  # observations up to which there are not too many explanations to be weighed
+MOST_BITS = 1000  # of a count that floats can weigh
+
+
+class Reading:
+    """Explanations of a growing list of observations.
+
+    Args:
+        library: the plans.
+        matcher: what can be taken for what (`engine.verification.matching`); verification lives there.
+        policy: when to commit to a goal.
+        capability: what an agent can do of a plan's leaves; by default nobody can do anything.
+        options: noise, several goals, priors, other scores; everything is off by default.
+
+    Raises:
+        CasperError: options that make no sense.
+    """
+
+    def __init__(
+        self,
+        library: PlanLibrary,
+        matcher: Matcher,
+        policy: Policy = strict,
+        capability: Capability = lambda situation, leaf, agent: (situation.leaves[leaf], False),
+        options: Options = PAPER,
+    ) -> None:
+        self.library, self.policy, self.options = library, policy, options
+        self._actions = list(library.actions)
+        self._capability = capability
+        self._engine: Recogniser = recogniser(library.ways, matcher, options)
+        self._read: dict[str, Seen] = {}  # texts that were observed before
+        self._numbers: dict[str, list[int]] = {}  # each goal's plans
+        for number, plan in enumerate(library.ways):
+            self._numbers.setdefault(plan.label, []).append(number)
+        self._rejected: list[dict[str, tuple[str, ...]]] = []  # after each observation, as far as anybody asked
+
+    # --- observing -------------------------------------------------------------------------------------------------
+
+    def observe(self, observed: Observed) -> None:
+        """Take in one action of the partner: ``"eat"`` or ``"eat(biscuits, plate)"``.
+
+        What was not made out for sure is a mapping of what it may be to likelihoods: ``{"eat": 0.7, "sip": 0.2}``.
+        An observation that fits no plan leaves zero explanations; `undo` goes back to where the reading was.
+
+        Raises:
+            ReadError, PlanError: the text is no action, or no plan has it.
+            CasperError: likelihoods that are none, or more explanations than can be weighed.
+        """
+        seen = self._seen(observed)
+        if isinstance(seen, Uncertain) and isinstance(self._engine, Replay):
+            self._engine = self._engine.counting()
+        elif isinstance(seen, Uncertain) and isinstance(self._engine, (Pairs, NoisyPairs)):
+            self._engine = self._engine.interleaving()
+        self._engine.observe(seen)
+        if len(self._engine.observations) > WEIGHABLE and self._engine.count.bit_length() > MOST_BITS:
+            self._engine.undo()
+            raise CasperError(f"after {seen} there are more explanations than can be weighed, over 10^300")
+
+    def _seen(self, observed: Observed) -> Seen:
+        if not isinstance(observed, str):
+            return seen_of(observed, self._actions)
+        seen = self._read.get(observed)
+        if seen is None:
+            seen = self._read[observed] = seen_of(observed, self._actions)
+        return seen
+
+    def fork(self) -> Reading:
+        """A reading that goes its own way from here: "what if the next is …". What was counted so far is shared."""
+        other = object.__new__(Reading)
+        other.__dict__.update(self.__dict__)
+        other._engine, other._rejected = self._engine.fork(), list(self._rejected)
+        return other
+
+    def undo(self) -> None:
+        """Take back the last observation.
+
+        Raises:
+            CasperError: there is none.
+        """
+        if not self._engine.observations:
+            raise CasperError("there is no observation to take back")
+        self._engine.undo()
+        del self._rejected[len(self._engine.observations) + 1 :]
+
+    @property
+    def observations(self) -> Sequence[Seen]:
+        """What was observed, in order."""
+        return tuple(self._engine.observations)
+
+    # --- what it says ----------------------------------------------------------------------------------------------
+
+    @property
+    def count(self) -> int:
+        """The exact number of explanations."""
+        return self._engine.count if self.observations else 0
+
+    @property
+    def posterior(self) -> Mapping[str, float]:
+        """Each goal's share of the sum of all scores; before anything is seen, and after nonsense, all zero."""
+        return self._engine.posterior() if self._engine.observations else dict.fromkeys(self._numbers, 0.0)
+
+    @property
+    def confidence(self) -> float:
+        """The best explanation's share of the sum of all scores (not its goal's posterior)."""
+        best = self.first
+        return best.share if best is not None else 0.0
+
+    @property
+    def ties(self) -> int:
+        """How many explanations weigh as much as the best one, itself among them; 0 when there is none."""
+        standing = self._engine.standing() if self.observations else None
+        return 0 if standing is None else standing.ties
+
+    @property
+    def outcome(self) -> str | None:
+        """The goal the policy commits to, or None."""
+        standing = self._engine.standing() if self.observations else None
+        return None if standing is None else self.policy(standing)
+
+    @property
+    def first(self) -> Explanation | Interleaved | None:
+        """The best explanation; None when there is none."""
+        return self._engine.first() if self._engine.observations else None
+
+    def best_of(self, goal: str) -> Explanation | Interleaved | None:
+        """The best explanation of a goal; None when there is none. Goals pursued together are joined by " + "."""
+        return self._engine.first(goal) if self._engine.observations else None
+
+    def explanations(self) -> Iterator[Explanation | Interleaved]:
+        """Every explanation, best first, lazily."""
+        return self._engine.explanations() if self.observations else iter(())
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether every explanation was counted; with more than two goals at once a search may hold lower bounds."""
+        return self._engine.is_exact
+
+    def best(self, count: int = 1) -> list[Explanation | Interleaved]:
+        """The best few explanations."""
+        if count == 1:
+            best = self.first
+            return [] if best is None else [best]
+        return list(islice(self.explanations(), max(count, 0)))
+
+    @property
+    def frontier(self) -> tuple[Compound, ...]:
+        """What the best explanation leaves to be done."""
+        best = self.first
+        return best.frontier if best is not None else ()
+
+    @property
+    def rejected(self) -> dict[str, tuple[str, ...]]:
+        """Every goal that explains nothing any more, with the reasons why.
+
+        Where observations may be needless, or a step of another goal, a later one may bring it back.
+        """
+        for level in range(len(self._rejected), len(self.observations) + 1):
+            self._rejected.append(self._reject(level))
+        return self._rejected[-1]
+
+    def plan_for(self, agent: str, explanation: Explanation | Interleaved | None = None) -> CollaborativePlan | None:
+        """What the agent can do for the goal of the best explanation; None when there is none to help with.
+
+        Of several goals pursued at once it helps with the one of which it can do most.
+        """
+        chosen = explanation or self.first
+        if chosen is None:
+            return None
+        plans = [collaborative_plan(agent, part.situation, self._capability) for part in chosen.parts]
+        return max(plans, key=lambda plan: len(plan.actions))
+
+    # --- what is likely to come ------------------------------------------------------------------------------------
+
+    @property
+    def next_actions(self) -> dict[str | None, float]:
+        """The probability of each action to be the next step; None: the plan is complete."""
+        return self._outlook.next_actions() if self.observations else {}
+
+    @property
+    def frontiers(self) -> dict[tuple[Compound, ...], float]:
+        """The probability of each frontier, over all explanations."""
+        return self._outlook.frontiers() if self.observations else {}
+
+    def plans_for(self, agent: str) -> dict[CollaborativePlan, float]:
+        """The probability of each collaborative plan of the agent, over all explanations."""
+        return self._outlook.collaborative_plans(agent, self._capability) if self.observations else {}
+
+    def questions(self) -> list[Question]:
+        """What to find out, most telling first: is it this goal, is this step still to come, is this the next one?"""
+        return questions(self._outlook) if self.observations else []
+
+    @property
+    def _outlook(self) -> Outlook:
+        return Outlook(self.library.ways, self._engine)
+
+    def to_json(self, top: int = 3) -> dict[str, Any]:
+        """The design's object for ``casper explain --json``."""
+        best = self.best(max(top, 1))
+        bound: dict[str, Any] = {} if self.is_exact else {"exact": False}
+        return {
+            "observations": [str(observation) for observation in self.observations],
+            "explanations": self.count,
+            "confidence": best[0].share if best else 0.0,
+            "outcome": self.outcome,
+            "posterior": dict(self.posterior),
+            "best": [explanation.to_json() for explanation in best[:top]],
+            "frontier": [term_text(as_term(action)) for action in (best[0].frontier if best else ())],
+            "rejected": [{"goal": goal, "reasons": list(reasons)} for goal, reasons in self.rejected.items()],
+            **bound,
+        }
+
+    # --- why not ---------------------------------------------------------------------------------------------------
+
+    def _reject(self, level: int) -> dict[str, tuple[str, ...]]:
+        """The goals without an explanation: those that fell earlier keep their reasons, new ones get theirs."""
+        plans = self.library.ways
+        alive = {plans[number].label for number in self._engine.alive(level)}
+        before = self._rejected[level - 1] if level else {}
+        rejected: dict[str, tuple[str, ...]] = {}
+        for label in self._numbers:
+            if label not in alive:
+                rejected[label] = before.get(label) or self._reasons(label, level)
+        return rejected
+
+    def _reasons(self, label: str, level: int) -> tuple[str, ...]:
+        found: dict[str, None] = {}
+        plans, mismatches = self.library.ways, self._engine.mismatches[level]
+        for number in self._numbers[label] if mismatches else ():
+            for mismatch in mismatches.get(number, ()):
+                found.update(dict.fromkeys(mismatch.reasons))
+        if found or not level:
+            return tuple(found)
+        names = {leaf.functor for number in self._numbers[label] for leaf in plans[number].leaves}
+        actions = [option.action for option, _ in options_of(self.observations[level - 1])]
+        if not names.intersection(actions):
+            return (f"{label} has no {' or '.join(actions)}",)
+        return (f"no {' or '.join(actions)} is left in {label} after what was observed",)

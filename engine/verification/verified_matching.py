@@ -1,0 +1,127 @@
+"""Matching with the knowledge base: whether the partner may have done what they are taken to have done, and why not.
+
+Verdicts are remembered for as long as the knowledge base stays as it is: by all readings of a domain where nothing
+depends on what happened earlier (did/2), otherwise until the next observation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TypeAlias
+
+from casper.engine.verification.matching import (
+    Binding,
+    Matcher,
+    Mismatch,
+    ParameterMatcher,
+    Refused,
+    binding_of,
+    bindings_of,
+)
+from casper.engine.verification.observation import Observation
+from casper.kb.base import KnowledgeBase
+from casper.kb.errors import BudgetExceeded
+from casper.kb.terms.terms import Compound, as_term
+from casper.kb.terms.unification import is_ground, substitute, unify
+from casper.plans.plan import Plan
+
+MOST_REMEMBERED = 200_000  # matches; then all are forgotten
+Question: TypeAlias = tuple[int, int, Observation, Binding]  # plan, leaf, observation, binding before
+
+
+class VerifyingMatcher(ParameterMatcher):
+    """Parameters, the goal's own condition, and the validity of what the partner is taken to have done.
+
+    Forks share what was asked. A knowledge base may change at any time: what it said before is forgotten then.
+    """
+
+    def __init__(self, plans: Sequence[Plan], kb: KnowledgeBase, partner: str) -> None:
+        super().__init__(plans)
+        self.kb, self.partner = kb, partner
+        self._histories: list[tuple[tuple[Compound, float], ...]] = [()]  # after each observation
+        self._forget()
+
+    def _forget(self) -> None:
+        self._changes, self._looks_back = self.kb.changes, self.kb.depends_on_history
+        self._goals: dict[tuple[int, Binding], Binding | Mismatch] = {}
+        self._answers: dict[Question, Binding | Mismatch] = {}
+
+    def initial(self, plan: int) -> Binding | Mismatch:
+        """What the goal's condition alone settles: ``goal(breakfast(F)) :- biscuits(F)`` makes F the biscuits."""
+        return self._allowed(plan, (None,) * len(self.plans[plan].variables))
+
+    def match(self, plan: int, leaf: int, observation: Observation, binding: Binding) -> Binding | Mismatch:
+        """Unify, then ask the knowledge base about the goal and about the action."""
+        if self.kb.changes != self._changes or len(self._answers) > MOST_REMEMBERED:
+            self._forget()
+        key = (plan, leaf, observation, binding)
+        answer = self._answers.get(key)
+        if answer is None:
+            answer = self._answers[key] = self._asked(plan, leaf, observation, binding)
+        return answer
+
+    def _asked(self, plan: int, leaf: int, observation: Observation, binding: Binding) -> Binding | Mismatch:
+        result = super().match(plan, leaf, observation, binding)
+        if isinstance(result, Mismatch):
+            return result
+        result = self._allowed(plan, result)
+        if isinstance(result, Mismatch):
+            return result
+        action = substitute(self.plans[plan].leaves[leaf], bindings_of(self.plans[plan], result))
+        verdict = self.kb.verify(Compound((action.functor, self.partner, *action.args)), self._histories[-1])
+        return Refused(verdict.reasons) if verdict.valid is False else result
+
+    def observed(self, observation: Observation) -> None:
+        """Remember the action for did/2, where it is known in full."""
+        history = self._histories[-1]
+        if observation.args is not None and all(is_ground(arg) for arg in observation.args):
+            statement = Compound((observation.action, self.partner, *observation.args))
+            history = (*history, (statement, float(len(self._histories))))
+        self._histories.append(history)
+        self._past_changed()
+
+    def forget(self) -> None:
+        """Take the last observation out of the history."""
+        self._histories.pop()
+        self._past_changed()
+
+    def _past_changed(self) -> None:
+        if self._looks_back:
+            self._answers = {}
+
+    def fork(self) -> Matcher:
+        """One with the same past."""
+        other = object.__new__(VerifyingMatcher)
+        other.__dict__.update(self.__dict__)
+        other._histories = list(self._histories)
+        if self._looks_back:
+            other._answers = dict(self._answers)
+        return other
+
+    def _allowed(self, plan: int, binding: Binding) -> Binding | Mismatch:
+        key = (plan, binding)
+        if key not in self._goals:
+            stated = self.kb.defines("goal", 1)
+            self._goals[key] = settle(self.kb, self.plans[plan], binding) if stated else binding
+        return self._goals[key]
+
+
+def settle(kb: KnowledgeBase, plan: Plan, binding: Binding) -> Binding | Mismatch:
+    """The binding completed by the goal's condition where only one value will do; a mismatch where none does."""
+    known = bindings_of(plan, binding)
+    goal = Compound(("goal", as_term(substitute(plan.goal, known))))
+    answers: list[Binding] = []
+    try:
+        for answer in kb.instances(goal):
+            unified = unify(goal, answer, known)
+            completed = None if unified is None else binding_of(plan, unified)
+            if completed is not None and completed not in answers:
+                answers.append(completed)
+            if len(answers) > 1:
+                return binding
+    except BudgetExceeded:
+        return binding  # unknown is not no
+    if answers:
+        return answers[0]
+    refusal = kb.why_not(goal)
+    return Refused(refusal.reasons if refusal is not None else ())

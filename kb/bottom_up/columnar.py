@@ -1,0 +1,182 @@
+"""Semi-naive evaluation on columns: the joins of one stratum in numpy, for programs too large for Python rows.
+
+It covers what large programs are made of: atoms of constants and variables, negation, and (dis)equality. A rule with
+compound terms, arithmetic or order comparisons is left to `kb.bottom_up.materialise` (`is_columnar` tells).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from casper.kb.relations.columns import MOST_CODES, Ids, Interner, Table, code
+from casper.kb.terms.clauses import Clause, Indicator, Literal
+from casper.kb.terms.terms import Variable
+
+Frame: TypeAlias = dict[Variable, Ids]  # the values of each variable in all partial solutions, in parallel
+
+
+def is_columnar(rules: Iterable[Clause]) -> bool:
+    """Whether every rule is plain enough for columns."""
+    return all(
+        all(not isinstance(arg, tuple) for atom in (rule.head, *(x.atom for x in rule.body)) for arg in atom.args)
+        and all(not x.is_comparison or x.atom[0] in ("=", "\\=", "==", "\\==") for x in rule.body)
+        and rule.head.arity > 0
+        and all(x.is_comparison or x.atom.arity > 0 for x in rule.body)
+        and not any(_repeats_wildcard(x) for x in rule.body)
+        for rule in rules
+    )
+
+
+def _repeats_wildcard(literal: Literal) -> bool:
+    """``\\+ p(_X, _X)`` asks for equal columns, which an index of bound columns cannot tell."""
+    variables = [arg for arg in literal.atom.args if isinstance(arg, Variable) and arg.is_anonymous]
+    return literal.negated and len(set(variables)) < len(variables)
+
+
+def fits(arities: Iterable[int], constants: int) -> bool:
+    """Whether rows of these arities over so many constants can be coded as one integer each."""
+    return all((constants + 1) ** arity < MOST_CODES for arity in arities)
+
+
+@dataclass(frozen=True, slots=True)
+class _Rule:
+    """A rule with the order of its conditions, the first of them perhaps the delta."""
+
+    clause: Clause
+    order: tuple[Literal, ...]
+    from_delta: bool
+
+
+class ColumnStratum:
+    """The fixpoint of one stratum on tables.
+
+    Args:
+        tables: every predicate's table; those of the stratum grow.
+        rules: the stratum's rules.
+        check: called after each round with the number of rows so far; raises when that is too many.
+    """
+
+    def __init__(
+        self,
+        tables: Mapping[Indicator, Table],
+        interner: Interner,
+        stratum: frozenset[Indicator],
+        rules: list[Clause],
+        check: Callable[[dict[Indicator, int]], None],
+    ) -> None:
+        self.tables, self.interner, self.stratum, self.check = tables, interner, stratum, check
+        self.first = [_Rule(rule, _ordered(rule.body, None), False) for rule in rules]
+        self.recursive: list[tuple[Indicator, _Rule]] = []
+        for rule in rules:
+            for at, literal in enumerate(rule.body):
+                if not literal.negated and not literal.is_comparison and literal.atom.indicator in stratum:
+                    ordered = _Rule(rule, _ordered(rule.body, at), True)
+                    self.recursive.append((literal.atom.indicator, ordered))
+
+    def run(self, round_: int) -> int:
+        """Evaluate to the fixpoint; the last round's number."""
+        found = [(rule.clause.head.indicator, self._derive(rule, None)) for rule in self.first]
+        while delta := self._add(found, round_ := round_ + 1):
+            found = [
+                (rule.clause.head.indicator, self._derive(rule, delta[indicator]))
+                for indicator, rule in self.recursive
+                if indicator in delta
+            ]
+        return round_
+
+    def _add(self, found: list[tuple[Indicator, list[Ids]]], round_: int) -> dict[Indicator, list[Ids]]:
+        """Put what a round derived into the tables; what was new, by predicate."""
+        by_head: dict[Indicator, list[list[Ids]]] = {}
+        for indicator, columns in found:
+            if len(columns[0]):
+                by_head.setdefault(indicator, []).append(columns)
+        delta: dict[Indicator, list[Ids]] = {}
+        for indicator, parts in by_head.items():
+            columns = [np.concatenate(column) for column in zip(*parts)]
+            new = self.tables[indicator].add(columns, round_)
+            if len(new[0]):
+                delta[indicator] = new
+        self.check({indicator: len(new[0]) for indicator, new in delta.items()})
+        return delta
+
+    def _derive(self, rule: _Rule, delta: list[Ids] | None) -> list[Ids]:
+        """The head's columns for every solution of the body."""
+        frame: Frame = {}
+        size = 1
+        for at, literal in enumerate(rule.order):
+            if literal.is_comparison:
+                frame, size = self._compare(literal, frame, size)
+            elif literal.negated:
+                frame, size = self._absent(literal, frame, size)
+            elif at == 0 and rule.from_delta:
+                assert delta is not None
+                frame, size = self._bind(literal, {}, delta, len(delta[0]))
+            else:
+                frame, size = self._join(literal, frame, size)
+            if size == 0:
+                break
+        if size == 0:
+            return [np.empty(0, np.int64)] * rule.clause.head.arity
+        return [self._column(arg, frame, size) for arg in rule.clause.head.args]
+
+    def _column(self, arg: object, frame: Frame, size: int) -> Ids:
+        if isinstance(arg, Variable):
+            return frame[arg]
+        return np.full(size, self.interner.intern(arg), np.int64)
+
+    def _join(self, literal: Literal, frame: Frame, size: int) -> tuple[Frame, int]:
+        table = self.tables[literal.atom.indicator]
+        args = literal.atom.args
+        bound = tuple(c for c, arg in enumerate(args) if not isinstance(arg, Variable) or arg in frame)
+        keys = code([self._column(args[c], frame, size) for c in bound], table.base, size)
+        which, columns = table.join(bound, keys)
+        extended = {variable: values[which] for variable, values in frame.items()}
+        return self._bind(literal, extended, columns, len(which))
+
+    def _bind(self, literal: Literal, frame: Frame, columns: list[Ids], size: int) -> tuple[Frame, int]:
+        """Give the literal's variables their columns; constants and repeated variables become filters."""
+        keep = np.ones(size, dtype=bool)
+        bound = dict(frame)
+        for arg, values in zip(literal.atom.args, columns):
+            if not isinstance(arg, Variable):
+                keep &= values == self.interner.intern(arg)
+            elif arg in bound:
+                keep &= bound[arg] == values
+            else:
+                bound[arg] = values
+        return _filtered(bound, keep)
+
+    def _absent(self, literal: Literal, frame: Frame, size: int) -> tuple[Frame, int]:
+        table = self.tables[literal.atom.indicator]
+        args = literal.atom.args
+        bound = tuple(c for c, arg in enumerate(args) if not isinstance(arg, Variable) or arg in frame)
+        keys = code([self._column(args[c], frame, size) for c in bound], table.base, size)
+        return _filtered(frame, ~table.any_match(bound, keys))
+
+    def _compare(self, literal: Literal, frame: Frame, size: int) -> tuple[Frame, int]:
+        operator, left, right = literal.atom
+        wants_equal = (operator in ("=", "==")) != literal.negated
+        for one, other in ((left, right), (right, left)):
+            if isinstance(one, Variable) and one not in frame and wants_equal:
+                return {**frame, one: self._column(other, frame, size)}, size
+        equal = self._column(left, frame, size) == self._column(right, frame, size)
+        return _filtered(frame, equal if wants_equal else ~equal)
+
+
+def _filtered(frame: Frame, keep: NDArray[np.bool_]) -> tuple[Frame, int]:
+    """The partial solutions that are kept, and how many."""
+    if keep.all():
+        return frame, len(keep)
+    return {variable: values[keep] for variable, values in frame.items()}, int(keep.sum())
+
+
+def _ordered(body: tuple[Literal, ...], delta_at: int | None) -> tuple[Literal, ...]:
+    """The delta first, tests as soon as they are bound, then the condition with most bound columns."""
+    from casper.kb.bottom_up.join import ordered_body
+
+    return tuple(literal for literal, _ in ordered_body(body, delta_at))

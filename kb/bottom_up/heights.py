@@ -1,0 +1,44 @@
+"""Least proof heights: the round of every row if all strata were evaluated at once.
+
+Within one stratum the fixpoint's own rounds are the least heights. Across strata, and after changes, they are not: a
+row of a higher stratum may have a shorter proof than its round says. With the model known, negations are settled, so
+one fixpoint over all rules gives every row its least height.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from casper.kb.bottom_up.row_fixpoint import fixpoint_of
+from casper.kb.program.program import Program
+from casper.kb.relations.relation import Relation
+from casper.kb.terms.clauses import Clause, Indicator, Literal
+from casper.kb.terms.terms import Compound
+
+_SETTLED = "settled: "  # in front of the name of a predicate whose rows are all known; no text can spell it bare
+
+
+def least_heights(program: Program, relations: Mapping[Indicator, Relation]) -> dict[Indicator, Relation]:
+    """The same rows, each with the least height of a proof as its round."""
+    stored = frozenset(indicator for stratum in program.strata for indicator in stratum)
+    rules = {indicator: tuple(_settled(rule) for rule in program.rules[indicator]) for indicator in stored}
+    found = {indicator: Relation(*indicator, program.given[indicator]) for indicator in stored}
+    everything = dict(found)
+    everything.update((_final(indicator), relations[indicator]) for indicator in stored)
+    fixpoint_of(replace(program, rules=rules), stored, everything)
+    return found
+
+
+def _settled(rule: Clause) -> Clause:
+    body = tuple(_look_up(x) if x.negated and not x.is_comparison else x for x in rule.body)
+    return replace(rule, body=body)
+
+
+def _look_up(literal: Literal) -> Literal:
+    name, _ = _final(literal.atom.indicator)
+    return Literal(Compound((name, *literal.atom.args)), True, literal.place)
+
+
+def _final(indicator: Indicator) -> Indicator:
+    return _SETTLED + indicator[0], indicator[1]

@@ -1,0 +1,221 @@
+"""Incremental upkeep: facts come and go, and the stored rows follow (delete and rederive, stratum by stratum).
+
+For each stratum, lowest first: everything that some derivation rests on a row that went (or, under a negation, on one
+that came) is over-deleted; what another rule still gives is put back; then what the new rows give is added. A row that
+is put back or added gets a new, later round, so proofs stay well-founded.
+
+When more rows are over-deleted than recomputing would cost, `TooMuch` asks for that instead.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Mapping, MutableMapping
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from casper.kb.bottom_up.join import Join
+from casper.kb.program.program import Program
+from casper.kb.relations.relation import Columns, Relation, Row
+from casper.kb.terms.clauses import Indicator
+
+Change: TypeAlias = dict[Indicator, dict[Row, None]]
+Given: TypeAlias = Mapping[Indicator, Mapping[Row, object]]  # base facts
+LEAST_TO_RECOMPUTE = 20_000  # over-deleted rows from which recomputing is considered at all
+
+
+class TooMuch(Exception):
+    """A removal took so many rows with it that the fixpoint is better computed anew."""
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """A rule compiled for a change of one of its conditions: to find what it gives, and what it may have given."""
+
+    head: Indicator
+    gives: Join
+    gave: Join
+
+
+@dataclass
+class Maintenance:
+    """The compiled plans of a program, made when they are first needed."""
+
+    program: Program
+    _plans: dict[tuple[Indicator, bool], list[_Plan]] = field(init=False)
+    _checks: dict[Indicator, list[Join]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._plans = defaultdict(list)
+        stored = {indicator for stratum in self.program.strata for indicator in stratum}
+        for rule in (rule for indicator in stored for rule in self.program.rules[indicator]):
+            for at, literal in enumerate(rule.body):
+                if not literal.is_comparison:
+                    plan = _Plan(rule.head.indicator, Join(rule, at), Join(rule, at, negations=False))
+                    self._plans[literal.atom.indicator, literal.negated].append(plan)
+
+    def update(
+        self, given: Given, relations: MutableMapping[Indicator, Relation], added: Change, removed: Change, round_: int
+    ) -> int:
+        """Bring the relations in step with base facts that came and went; the last round used.
+
+        ``given`` already says what is given now. Rows come with rounds from ``round_`` on.
+
+        Raises:
+            TooMuch: compute the fixpoint anew; the relations are then in no defined state.
+        """
+        came: Change = defaultdict(dict)
+        went: Change = defaultdict(dict)
+        for stratum in self.program.strata:
+            disturbed = removed or came or went
+            over: Change = self._overdelete(given, relations, stratum, removed, came, went) if disturbed else {}
+            for indicator, rows in over.items():
+                for row in rows:
+                    relations[indicator].remove(row)
+            fresh: Change = {i: dict(rows) for i, rows in added.items() if i in stratum}
+            self._rederive(given, relations, over, fresh)
+            round_, new = self._insert(relations, stratum, fresh, came, went, round_)
+            for indicator in {*over, *new}:
+                old, now = over.get(indicator, {}), new.get(indicator, {})
+                came[indicator] = {row: None for row in now if row not in old}
+                went[indicator] = {row: None for row in old if row not in now}
+        return round_
+
+    def _overdelete(
+        self,
+        given: Given,
+        relations: Mapping[Indicator, Relation],
+        stratum: frozenset[Indicator],
+        removed: Change,
+        came: Change,
+        went: Change,
+    ) -> Change:
+        """Every row of the stratum that some derivation rests on a change of; a superset of what must go."""
+        view = _Before(relations, went)
+        over: Change = defaultdict(dict)
+        delta: Change = {i: {r: None for r in removed[i] if r in relations[i]} for i in stratum if removed.get(i)}
+        for indicator, rows in delta.items():
+            over[indicator].update(rows)
+        found: Change = defaultdict(dict)
+        for indicator, rows in went.items():
+            self._gave(indicator, False, rows, stratum, view, found)
+        for indicator, rows in came.items():
+            self._gave(indicator, True, rows, stratum, view, found)
+        delta = {i: {**delta.get(i, {}), **found.get(i, {})} for i in {*delta, *found}}
+        while delta:
+            delta = {i: {r: None for r in rows if r in relations[i] and r not in given[i]} for i, rows in delta.items()}
+            found = defaultdict(dict)
+            for indicator, rows in delta.items():
+                over[indicator].update(rows)
+                self._gave(indicator, False, rows, stratum, view, found)
+            delta = {i: {r: None for r in rows if r not in over[i]} for i, rows in found.items() if rows}
+            delta = {i: rows for i, rows in delta.items() if rows}
+            self._limit(relations, over)
+        return over
+
+    def _gave(
+        self,
+        indicator: Indicator,
+        negated: bool,
+        rows: Iterable[Row],
+        stratum: frozenset[Indicator],
+        view: Mapping[Indicator, Relation],
+        found: Change,
+    ) -> None:
+        if not rows:
+            return
+        for plan in self._plans.get((indicator, negated), ()):
+            if plan.head in stratum:
+                plan.gave.run(view, rows, found[plan.head].setdefault)
+
+    def _rederive(
+        self, given: Given, relations: Mapping[Indicator, Relation], over: Change, fresh: Change
+    ) -> None:
+        """Of the rows that were over-deleted, those that a rule gives from what is left."""
+        for indicator, rows in over.items():
+            checks = self._checks_of(indicator)
+            for row in rows:
+                if row in given[indicator] or any(check.derives(relations, row) for check in checks):
+                    fresh.setdefault(indicator, {})[row] = None
+
+    def _checks_of(self, indicator: Indicator) -> list[Join]:
+        found = self._checks.get(indicator)
+        if found is None:
+            found = self._checks[indicator] = [Join(rule, bound_head=True) for rule in self.program.rules[indicator]]
+        return found
+
+    def _insert(
+        self,
+        relations: Mapping[Indicator, Relation],
+        stratum: frozenset[Indicator],
+        fresh: Change,
+        came: Change,
+        went: Change,
+        round_: int,
+    ) -> tuple[int, Change]:
+        """Add rows and all they give, round by round; everything that was new."""
+        for changed, negated in ((came, False), (went, True)):
+            for indicator, rows in changed.items():
+                self._give(indicator, negated, rows, stratum, relations, fresh)
+        new: Change = defaultdict(dict)
+        while fresh:
+            round_ += 1
+            delta = {i: [r for r in rows if relations[i].add(r, round_)] for i, rows in fresh.items()}
+            fresh = {}
+            for indicator, added in delta.items():
+                new[indicator].update(dict.fromkeys(added))
+                self._give(indicator, False, added, stratum, relations, fresh)
+        return round_, new
+
+    def _give(
+        self,
+        indicator: Indicator,
+        negated: bool,
+        rows: Collection[Row],
+        stratum: frozenset[Indicator],
+        relations: Mapping[Indicator, Relation],
+        fresh: Change,
+    ) -> None:
+        if not rows:
+            return
+        for plan in self._plans.get((indicator, negated), ()):
+            if plan.head in stratum:
+                found: dict[Row, None] = {}
+                plan.gives.run(relations, rows, found.setdefault)
+                known = relations[plan.head]
+                for row in found:
+                    if row not in known:
+                        fresh.setdefault(plan.head, {})[row] = None
+
+    def _limit(self, relations: Mapping[Indicator, Relation], over: Change) -> None:
+        gone = sum(map(len, over.values()))
+        if gone > LEAST_TO_RECOMPUTE and gone > 0.1 * sum(map(len, relations.values())):
+            raise TooMuch
+
+
+class _Before(dict[Indicator, Relation]):
+    """The relations with the rows that already went in lower strata laid back in."""
+
+    def __init__(self, relations: Mapping[Indicator, Relation], went: Change) -> None:
+        super().__init__()
+        self.relations, self.went = relations, went
+
+    def __missing__(self, indicator: Indicator) -> Relation:
+        rows = self.went.get(indicator)
+        relation = self.relations[indicator]
+        found = _With(relation, rows) if rows else relation
+        self[indicator] = found
+        return found
+
+
+class _With(Relation):
+    """A relation together with some more rows, to be looked up only."""
+
+    def __init__(self, below: Relation, more: Iterable[Row]) -> None:
+        super().__init__(below.name, below.arity, more)
+        self.below = below
+
+    def matching(self, columns: Columns, key: Row) -> Collection[Row]:
+        return [*self.below.matching(columns, key), *super().matching(columns, key)]
+
+

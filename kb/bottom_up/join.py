@@ -1,0 +1,245 @@
+"""A rule body compiled to nested index lookups: closures over slots of one environment list.
+
+A `Join` is compiled once and run on any relations that have its predicates. The order of conditions is the
+optimiser's (bound columns first); reasons never come from here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Set
+from typing import Any, TypeAlias
+
+from casper.kb.relations.relation import Relation, Row
+from casper.kb.terms.clauses import Clause, Indicator, Literal
+from casper.kb.terms.comparison import compare, is_ready
+from casper.kb.terms.terms import Compound, Term, Variable
+from casper.kb.terms.unification import Bindings, is_ground, substitute, variables_of
+
+Environment: TypeAlias = list[Term]
+Step: TypeAlias = Callable[[Environment], None]
+Slots: TypeAlias = dict[Variable, int]
+Emit: TypeAlias = Callable[[Row], None]
+NOBODY: frozenset[Variable] = frozenset()
+
+
+class Join:
+    """A compiled rule.
+
+    Args:
+        clause: the rule.
+        delta_at: the number of the condition that ranges over given rows instead of its relation; a negated one is
+            then also tested, since that a row came or went does not settle what a wildcard asks.
+        bound_head: whether the head's variables are known from the start (`derives`).
+        negations: False leaves every negated condition out (an over-approximation).
+    """
+
+    def __init__(
+        self, clause: Clause, delta_at: int | None = None, *, bound_head: bool = False, negations: bool = True
+    ) -> None:
+        self.clause = clause
+        self._slots: Slots = {variable: at for at, variable in enumerate(clause.variables())}
+        self._context: list[Any] = [None, (), None]  # relations, delta rows, emit
+        known = set(variables_of(clause.head)) if bound_head else set()
+        body = [
+            (x, at, at == delta_at)
+            for x, at in ordered_body(clause.body, delta_at, known)
+            if negations or not x.negated or x.is_comparison or at == delta_at
+        ]
+        tested = [_apart(x) for x, _, is_delta in body if is_delta and x.negated and negations]
+        for variable in (v for x in tested for v in x.variables()):
+            self._slots.setdefault(variable, len(self._slots))
+        self._head = _Binder([(c, arg) for c, arg in enumerate(clause.head.args)], NOBODY, self._slots)
+        self._step = self._compiled([*body, *((x, -1, False) for x in tested)], known)
+
+    def _compiled(self, body: list[tuple[Literal, int, bool]], known: set[Variable]) -> Step:
+        bound = [set(known)]
+        for literal, _, is_delta in body:
+            bound.append(bound[-1] | (set(variables_of(literal.atom)) if is_delta else _binds(literal)))
+        step = self._emit_step()
+        for (literal, _, is_delta), before in zip(reversed(body), reversed(bound[:-1])):
+            step = self._condition(literal, before, is_delta, step)
+        return step
+
+    def run(self, relations: Mapping[Indicator, Relation], rows: Iterable[Row], emit: Emit) -> None:
+        """Emit every head row that the rule derives; the delta condition ranges over ``rows``."""
+        self._context[:] = relations, rows, emit
+        self._step([None] * len(self._slots))
+
+    def first(self, relations: Mapping[Indicator, Relation]) -> dict[Variable, Term] | None:
+        """One solution of the body, or None when there is none."""
+        environment: Environment = [None] * len(self._slots)
+        self._context[:] = relations, (), _stop
+        try:
+            self._step(environment)
+        except _Found:
+            return {variable: environment[slot] for variable, slot in self._slots.items()}
+        return None
+
+    def derives(self, relations: Mapping[Indicator, Relation], row: Row) -> bool:
+        """Whether the rule derives this head row (the join was compiled with ``bound_head``)."""
+        environment: Environment = [None] * len(self._slots)
+        if not self._head(row, environment):
+            return False
+        self._context[:] = relations, (), _stop
+        try:
+            self._step(environment)
+        except _Found:
+            return True
+        return False
+
+    def _emit_step(self) -> Step:
+        build, context = _row_builder(list(self.clause.head.args), self._slots), self._context
+
+        def emit(environment: Environment) -> None:
+            context[2](build(environment))
+
+        return emit
+
+    def _condition(self, literal: Literal, known: Set[Variable], is_delta: bool, then: Step) -> Step:
+        if literal.is_comparison:
+            return _comparison_step(literal, known, self._slots, then)
+        indicator, args, context = literal.atom.indicator, literal.atom.args, self._context
+        columns = tuple(c for c, arg in enumerate(args) if set(variables_of(arg)) <= known)
+        key = _row_builder([args[c] for c in columns], self._slots)
+        bind = _Binder([(c, arg) for c, arg in enumerate(args) if c not in columns], known, self._slots)
+
+        def lookup(environment: Environment) -> None:
+            for row in context[0][indicator].matching(columns, key(environment)):
+                if bind(row, environment):
+                    then(environment)
+
+        def scan(environment: Environment) -> None:
+            wanted = key(environment)
+            for row in context[1]:
+                if tuple([row[c] for c in columns]) == wanted and bind(row, environment):
+                    then(environment)
+
+        def absent(environment: Environment) -> None:
+            if not any(bind(row, environment) for row in context[0][indicator].matching(columns, key(environment))):
+                then(environment)
+
+        return scan if is_delta else absent if literal.negated else lookup
+
+
+def _apart(literal: Literal) -> Literal:
+    """A negated condition with its wildcards open again, for the row that came or went has bound them."""
+    fresh: Bindings = {v: Variable(f"{v.name}again") for v in literal.variables() if v.is_anonymous}
+    return Literal(substitute(literal.atom, fresh), True, literal.place)
+
+
+class _Found(Exception):
+    """Raised to leave a join as soon as one solution is found."""
+
+
+def _stop(row: Row) -> None:
+    raise _Found
+
+
+def ordered_body(
+    body: tuple[Literal, ...], delta_at: int | None, known: Set[Variable] = NOBODY
+) -> list[tuple[Literal, int]]:
+    """Conditions with their positions: the delta first, tests as soon as they are bound, then the most bound."""
+    waiting = list(enumerate(body))
+    ordered: list[tuple[Literal, int]] = []
+    bound = set(known)
+    while waiting:
+        at, literal = min(waiting, key=lambda item: _cost(item, bound, delta_at))
+        waiting.remove((at, literal))
+        ordered.append((literal, at))
+        bound |= set(variables_of(literal.atom)) if at == delta_at else _binds(literal)
+    return ordered
+
+
+def _cost(item: tuple[int, Literal], known: set[Variable], delta_at: int | None) -> tuple[int, int, int]:
+    at, literal = item
+    if at == delta_at:
+        return (-2, 0, at)
+    variables = set(variables_of(literal.atom))
+    if literal.is_comparison:
+        bindings = {v: 0 for v in known}
+        return (-1 if is_ready(literal, bindings) and _decides(literal, known) else 3, 0, at)
+    if literal.negated:
+        return (-1 if all(v in known or v.is_anonymous for v in variables) else 3, 0, at)
+    return (1, -sum(1 for arg in literal.atom.args if set(variables_of(arg)) <= known), at)
+
+
+def _decides(literal: Literal, known: set[Variable]) -> bool:
+    """Whether an ``=`` has at least one side known: before that it would only tie two unknowns together."""
+    left, right = set(variables_of(literal.atom[1])), set(variables_of(literal.atom[2]))
+    return left <= known or right <= known
+
+
+def _binds(literal: Literal) -> set[Variable]:
+    if literal.negated or (literal.is_comparison and literal.atom[0] not in ("=", "is")):
+        return set()
+    return set(variables_of(literal.atom))
+
+
+def _comparison_step(literal: Literal, known: Set[Variable], slots: Slots, then: Step) -> Step:
+    before = [(v, slots[v]) for v in literal.variables() if v in known]
+    after = [(v, slots[v]) for v in literal.variables() if v not in known]
+
+    def test(environment: Environment) -> None:
+        extended = compare(literal, {v: environment[slot] for v, slot in before})
+        if extended is not None:
+            for variable, slot in after:
+                environment[slot] = extended.get(variable)
+            then(environment)
+
+    return test
+
+
+def _row_builder(terms: list[Term], slots: Slots) -> Callable[[Environment], Row]:
+    """A function from the environment to the row of the terms' values."""
+    if all(isinstance(term, Variable) for term in terms):
+        at = [slots[term] for term in terms]
+        if len(at) == 1:
+            only = at[0]
+            return lambda environment: (environment[only],)
+        if len(at) == 2:
+            first, second = at
+            return lambda environment: (environment[first], environment[second])
+        return lambda environment: tuple([environment[slot] for slot in at])
+    return lambda environment: tuple([_value(term, environment, slots) for term in terms])
+
+
+def _value(term: Term, environment: Environment, slots: Slots) -> Term:
+    if isinstance(term, Variable):
+        return environment[slots[term]]
+    if isinstance(term, Compound) and not is_ground(term):
+        return Compound([_value(part, environment, slots) for part in term])
+    return term
+
+
+class _Binder:
+    """Stores a row's open columns in the environment; False where a constant or a repeated variable disagrees."""
+
+    __slots__ = ("known", "pairs", "rest", "slots")
+
+    def __init__(self, rest: list[tuple[int, Term]], known: Set[Variable], slots: Slots) -> None:
+        self.rest, self.known, self.slots = rest, known, slots
+        variables = [term for _, term in rest]
+        simple = all(isinstance(term, Variable) for term in variables) and len(set(variables)) == len(variables)
+        self.pairs = [(column, slots[term]) for column, term in rest] if simple else None
+
+    def __call__(self, row: Row, environment: Environment) -> bool:
+        if self.pairs is not None:
+            for column, slot in self.pairs:
+                environment[slot] = row[column]
+            return True
+        assigned = set(self.known)
+        return all(_match(term, row[column], environment, self.slots, assigned) for column, term in self.rest)
+
+
+def _match(term: Term, value: Term, environment: Environment, slots: Slots, assigned: set[Variable]) -> bool:
+    """One-way unification of a pattern with a ground value."""
+    if isinstance(term, Variable):
+        if term in assigned:
+            return bool(environment[slots[term]] == value)
+        assigned.add(term)
+        environment[slots[term]] = value
+        return True
+    if isinstance(term, Compound):
+        same_shape = isinstance(value, Compound) and len(value) == len(term)
+        return same_shape and all(_match(t, v, environment, slots, assigned) for t, v in zip(term, value))
+    return bool(term == value)

@@ -1,0 +1,158 @@
+"""Relations as kanren goals: usable in ``run``, ``lall``, ``conde`` with anyone's goals, in every mode.
+
+Unlike kanren's own ``Relation`` they look the index up with the arguments *walked through the state*, answer a ground
+call by a set test, and keep the state's constraints (``neq`` and its kin), because a constrained state only ever grows
+through ``unify``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any, Protocol, TypeAlias
+
+from unification import Var, isvar, reify, unify, var
+from unification.core import _reify, _reify_Iterable_ctor
+
+from casper.kb.relations.relation import Relation, Row
+from casper.kb.terms.clauses import Indicator
+from casper.kb.terms.terms import Compound, Term, Variable
+
+State: TypeAlias = Any  # a mapping of kanren variables, perhaps a ConstrainedState
+Goal: TypeAlias = Callable[[State], Iterator[State]]
+
+
+def _reify_compound(term: Compound, state: State) -> Any:
+    return _reify_Iterable_ctor(Compound, term, state)
+
+
+_reify.add((Compound, dict), _reify_compound)  # a reified compound stays one, and prints as one
+_reify.add((Compound, object), _reify_compound)
+
+
+class Answering(Protocol):
+    """What a predicate asks of its knowledge base."""
+
+    def stored(self, indicator: Indicator, /) -> Relation | None:
+        """The rows of a stored predicate; None for one that is answered top-down."""
+
+    def check_known(self, indicator: Indicator, /) -> None:
+        """Refuse a predicate that nothing defines."""
+
+    def instances(self, statement: Compound, /) -> Iterator[Compound]:
+        """Every answer, lazily."""
+
+
+class Predicate:
+    """A name of the knowledge base, callable with kanren terms: ``kb.eat(x, "biscuits", "plate")`` is a goal."""
+
+    __slots__ = ("base", "name")
+
+    def __init__(self, base: Answering, name: str) -> None:
+        self.base, self.name = base, name
+
+    def __call__(self, *args: Any) -> Goal:
+        """A goal that holds for every row (or proof) the arguments can be.
+
+        Raises:
+            ProgramError: the name is not defined with this many arguments.
+        """
+        base, indicator = self.base, (self.name, len(args))
+        if base.stored(indicator) is None:
+            base.check_known(indicator)
+        plain = all(type(arg) in _PLAIN for arg in args)
+
+        def goal(state: State) -> Iterator[State]:
+            relation = base.stored(indicator)
+            if relation is None:
+                return _derived(base, indicator[0], reify(args, state), state)
+            if plain:
+                return iter((state,)) if args in relation else iter(())
+            return stored_goal(relation, tuple([_walked(arg, state) for arg in args]), state)
+
+        return goal
+
+    def __repr__(self) -> str:
+        return f"<predicate {self.name}>"
+
+
+_PLAIN = frozenset((str, int, float))
+
+
+def _walked(term: Any, state: State) -> Any:
+    """What an argument stands for in the state."""
+    while isinstance(term, Var):
+        value = state.get(term, term)
+        if value is term:
+            return term
+        term = value
+    return reify(term, state) if isinstance(term, tuple) else term
+
+
+def stored_goal(relation: Relation, args: Row, state: State) -> Iterator[State]:
+    """The states in which the (walked) arguments are a row of the relation."""
+    open_ = [(at, arg) for at, arg in enumerate(args) if type(arg) is not str and not _is_closed(arg)]
+    if not open_:
+        if _is_hashable(args) and args in relation:
+            yield state
+        return
+    if not _is_hashable(args):
+        return  # a Python list or set is no term: it stands in no row
+    free = {at for at, _ in open_}
+    columns = tuple([at for at in range(len(args)) if at not in free])
+    rows = list(relation.matching(columns, tuple([args[at] for at in columns])))
+    if type(state) is dict and len({arg for _, arg in open_}) == len(open_) and all(isvar(arg) for _, arg in open_):
+        for row in rows:
+            extended = state.copy()
+            for at, variable in open_:
+                extended[variable] = row[at]
+            yield extended
+    else:  # constraints, repeated variables and compound terms go through unify
+        left = tuple([arg for _, arg in open_])
+        for row in rows:
+            extended = unify(left, tuple([row[at] for at, _ in open_]), state)
+            if extended is not False:
+                yield extended
+
+
+def _is_hashable(args: Row) -> bool:
+    try:
+        hash(args)
+    except TypeError:
+        return False
+    return True
+
+
+def _is_closed(term: Any) -> bool:
+    if isinstance(term, tuple):
+        return all(_is_closed(part) for part in term)
+    return not isvar(term)
+
+
+def _derived(base: Answering, name: str, args: Row, state: State) -> Iterator[State]:
+    """A predicate that is answered top-down: kanren's variables become the solver's, and its answers come back."""
+    names: dict[Var, Variable] = {}
+    atom = Compound([name, *(_to_solver(arg, names) for arg in args)])
+    for answer in base.instances(atom):
+        fresh: dict[Variable, Var] = {}
+        extended = unify(tuple(args), tuple(_to_kanren(part, fresh) for part in answer.args), state)
+        if extended is not False:
+            yield extended
+
+
+def _to_solver(term: Any, names: dict[Var, Variable]) -> Term:
+    if isvar(term):
+        return names.setdefault(term, Variable(f"K{len(names)}"))
+    if isinstance(term, tuple):
+        return Compound([_to_solver(part, names) for part in term])
+    return term
+
+
+def _to_kanren(term: Term, fresh: dict[Variable, Var]) -> Any:
+    if isinstance(term, Variable):
+        return fresh.setdefault(term, var())
+    if isinstance(term, Compound):
+        return Compound([_to_kanren(part, fresh) for part in term])
+    return term
+
+
+__all__ = ["Goal", "Predicate", "State", "stored_goal"]

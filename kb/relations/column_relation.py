@@ -1,0 +1,58 @@
+"""A relation that a columnar fixpoint left behind: its columns, turned into Python rows when somebody needs them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from casper.kb.relations.columns import Interner, Table, code
+from casper.kb.relations.relation import Relation, Row
+
+
+class ColumnRelation(Relation):
+    """Rows in a table of interned constants.
+
+    Size and membership are answered on the columns. Any other use (a lookup by some columns, a change, a proof) first
+    decodes all rows, once, after which the table is let go and this is an ordinary relation.
+    """
+
+    def __init__(self, name: str, arity: int, table: Table, interner: Interner) -> None:
+        self._table: Table | None = table
+        self._interner = interner
+        super().__init__(name, arity)
+
+    @property
+    def rows(self) -> dict[Row, int]:
+        """The rows with their rounds, decoded when first asked for."""
+        if self._table is not None:
+            self._decoded = self._decode(self._table)
+            self._table = None
+        return self._decoded
+
+    @rows.setter
+    def rows(self, rows: dict[Row, int]) -> None:
+        self._decoded = rows
+
+    def _decode(self, table: Table) -> dict[Row, int]:
+        constants = self._interner.constants
+        rows: dict[Row, int] = {}
+        for run in sorted(table.runs, key=lambda run: int(run.rounds.min())):
+            columns = [[constants[number] for number in column.tolist()] for column in run.columns]
+            rows.update(zip(zip(*columns), run.rounds.tolist()))
+        return rows
+
+    def __contains__(self, row: object) -> bool:
+        if self._table is None:
+            return row in self._decoded
+        numbers = [self._interner.number(constant) for constant in row]  # type: ignore[attr-defined]
+        if None in numbers:
+            return False
+        columns = [np.array([number], np.int64) for number in numbers]
+        return bool(self._table.has(code(columns, self._table.base, 1))[0])
+
+    def __len__(self) -> int:
+        return len(self._table) if self._table is not None else len(self._decoded)
+
+    def __iter__(self) -> Iterator[Row]:
+        return iter(self.rows)

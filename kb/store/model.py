@@ -1,0 +1,171 @@
+"""The model of a program: its analysis, its stored rows, and their upkeep as facts come and go."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, MutableMapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from casper.kb.bottom_up.heights import least_heights
+from casper.kb.bottom_up.incremental import Change, Maintenance, TooMuch
+from casper.kb.bottom_up.materialise import materialise
+from casper.kb.errors import ProgramError
+from casper.kb.program.program import Program, analyse
+from casper.kb.reasons.validity import Constraints, constraints_of
+from casper.kb.relations.layered import LayeredRelation
+from casper.kb.relations.relation import Relation, Row
+from casper.kb.terms.clauses import Clause, Indicator
+from casper.kb.top_down.solve import Computed, Solver
+
+MOST_EXACT = 50_000  # rows up to which proofs are of least height whatever happened
+
+
+@dataclass
+class Model:
+    """What is worked out of the clauses once, and kept in step afterwards.
+
+    ``given`` are the base facts: for each stored predicate its rows, with the clause behind each (None: bulk).
+    """
+
+    program: Program
+    given: Mapping[Indicator, MutableMapping[Row, Clause | None]]
+    relations: MutableMapping[Indicator, Relation]
+    computed: Mapping[Indicator, Computed]
+    maintenance: Maintenance
+    changed: bool = False
+    round: int = 1 << 40  # of the next change; later than any round of a fixpoint
+
+    @classmethod
+    def of(
+        cls,
+        clauses: Iterable[Clause],
+        dynamic: Iterable[Indicator],
+        bulk: Mapping[Indicator, Iterable[Row]],
+        computed: Mapping[Indicator, Computed],
+    ) -> Model:
+        """Analyse and materialise.
+
+        Raises:
+            ProgramError, BudgetExceeded: see `kb.program.program.analyse` and `kb.bottom_up.materialise.materialise`.
+        """
+        program = analyse(clauses, dynamic, bulk)
+        try:
+            relations = materialise(program)
+        except RecursionError:
+            raise ProgramError("the facts hold a term that is nested too deeply") from None
+        return cls(program, program.given, relations, computed, Maintenance(program))
+
+    @cached_property
+    def constraints(self) -> Constraints:
+        """The constraints, those that the facts alone decide decided now."""
+        return constraints_of(self.program, Solver(self.relations, self.program.clauses, self.computed))
+
+    @cached_property
+    def proofs(self) -> Mapping[Indicator, Relation]:
+        """The relations with the rounds that proofs are built from: least heights, where that costs little.
+
+        A large base that has more than one stratum, or that changed, keeps its rounds as they are: its proofs are
+        well-founded, but a shorter one may exist.
+        """
+        exact = len(self.program.strata) <= 1 and not self.changed
+        if exact or sum(map(len, self.relations.values())) > MOST_EXACT:
+            return self.relations
+        return least_heights(replace(self.program, given=self.given), self.relations)  # type: ignore[arg-type]
+
+    def keeps(self, indicator: Indicator) -> bool:
+        """Whether facts of the predicate can come and go without a new analysis."""
+        return indicator in self.relations
+
+    def change(self, indicator: Indicator, row: Row, clause: Clause | None, *, add: bool) -> bool:
+        """Give or take back a base fact and bring the rows in step; False when it changes nothing."""
+        given = self.given[indicator]
+        if (row in given) == add:
+            return False
+        if add:
+            given[row] = clause
+        else:
+            del given[row]
+        self.changed = True
+        self.__dict__.pop("constraints", None)
+        self.__dict__.pop("proofs", None)
+        here: Change = {indicator: {row: None}}
+        try:
+            added, removed = (here, {}) if add else ({}, here)
+            self.round = self.maintenance.update(self.given, self.relations, added, removed, self.round)
+        except TooMuch:
+            self._recompute()
+        return True
+
+    def _recompute(self) -> None:
+        program = Program(**{**self.program.__dict__, "given": self.given})
+        self.relations = materialise(program)
+
+    def layer(self, computed: Mapping[Indicator, Computed]) -> Model:
+        """A model laid over this one: what changes there leaves this one as it is."""
+        given, relations = _Layers(self.given, _GivenLayer), _Layers(self.relations, LayeredRelation)
+        return Model(self.program, given, relations, computed, self.maintenance, self.changed, self.round)
+
+
+class _Layers(dict):  # type: ignore[type-arg]
+    """A mapping laid over another: an entry gets a layer of its own when it is first looked up."""
+
+    def __init__(self, below: Mapping, layer: type) -> None:  # type: ignore[type-arg]
+        super().__init__()
+        self.below, self.layer = below, layer
+
+    def __missing__(self, key: Indicator) -> object:
+        found = self[key] = self.layer(self.below[key])
+        return found
+
+    def get(self, key: Indicator, default: object = None) -> object:
+        """The entry, through its layer."""
+        try:
+            return self[key]
+        except KeyError:
+            return default
+
+    def __contains__(self, key: object) -> bool:
+        return super().__contains__(key) or key in self.below
+
+    def __iter__(self) -> Iterator[Indicator]:
+        return iter(dict.fromkeys((*self.below, *super().__iter__())))
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def values(self) -> list[object]:  # type: ignore[override]
+        """Every entry, through its layer."""
+        return [self[key] for key in self]
+
+
+class _GivenLayer(MutableMapping[Row, "Clause | None"]):
+    """Base facts laid over others."""
+
+    def __init__(self, below: Mapping[Row, Clause | None]) -> None:
+        self.below = below
+        self.above: dict[Row, Clause | None] = {}
+        self.gone: set[Row] = set()
+
+    def __contains__(self, row: object) -> bool:
+        return row in self.above or (row in self.below and row not in self.gone)
+
+    def __getitem__(self, row: Row) -> Clause | None:
+        if row in self.above:
+            return self.above[row]
+        if row in self.gone:
+            raise KeyError(row)
+        return self.below[row]
+
+    def __setitem__(self, row: Row, clause: Clause | None) -> None:
+        self.above[row] = clause
+
+    def __delitem__(self, row: Row) -> None:
+        self.above.pop(row, None)
+        self.gone.add(row)
+
+    def __iter__(self) -> Iterator[Row]:
+        yield from (row for row in self.below if row not in self.gone and row not in self.above)
+        yield from self.above
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)

@@ -1,0 +1,148 @@
+"""Texts made of several files: ``:- include("other.pl").`` and ``:- use("folder", as(prefix)).``
+
+``include`` reads another file as if it stood here; a file is read once, however often it is included. ``use`` makes
+the predicates of another text available under a prefix (`namespace`): of a file, or of a folder's ontology.pl. Both
+names are relative to the file that has the line.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NoReturn
+
+from casper.kb.errors import CasperError, ProgramError
+from casper.kb.terms.clauses import Directive, Sentence
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, as_term
+from casper.kb.text.namespace import prefixed
+from casper.kb.text.reader import read_file
+
+MAIN = "ontology.pl"  # what is used of a folder
+_INCLUDE, _USE = ("include", 1), ("use", 2)
+
+
+def _refuse(mistake: CasperError) -> NoReturn:
+    raise mistake
+
+
+@dataclass
+class Sources:
+    """Reads files with what they include and use.
+
+    Args:
+        roots: folders in which ``use`` looks for what is not beside the file: the shipped domains.
+        read: how one file is read.
+        mistake: what happens to a mistake; by default it is raised, ``casper check`` collects them.
+
+    ``files`` are all the files that were read so far, in order.
+    """
+
+    roots: Sequence[Path] = ()
+    read: Callable[[Path], list[Sentence]] = read_file
+    mistake: Callable[[CasperError], None] = _refuse
+    files: list[Path] = field(default_factory=list)
+    _open: list[Path] = field(default_factory=list)  # the files whose reading is under way, outermost first
+    _read: set[Path] = field(default_factory=set)
+    _prefixes: dict[str, Path] = field(default_factory=dict)
+
+    def sentences(self, file: Path) -> list[Sentence]:
+        """Every sentence of the file, with those of the files it includes and uses in their place.
+
+        Raises:
+            DomainError, ReadError: as `kb.text.reader.read_file`.
+            ProgramError: with the place of the line, when a file is missing, contains itself, or a prefix is taken.
+        """
+        known = file.resolve()
+        if known in self._read:
+            return []
+        self._read.add(known)
+        self.files.append(known)
+        self._open.append(file)
+        try:
+            return [s for sentence in self.read(file) for s in self._expanded(sentence, file.parent)]
+        except CasperError as mistake:
+            self.mistake(mistake)
+            return []
+        finally:
+            self._open.pop()
+
+    def _expanded(self, sentence: Sentence, folder: Path) -> Iterator[Sentence]:
+        if not (isinstance(sentence, Directive) and sentence.term.indicator in (_INCLUDE, _USE)):
+            yield sentence
+            return
+        try:
+            if sentence.term.indicator == _INCLUDE:
+                yield from self.sentences(self._included(sentence, folder))
+            else:
+                yield from self._used(sentence, folder)
+        except CasperError as mistake:
+            self.mistake(mistake)
+
+    def _included(self, directive: Directive, folder: Path) -> Path:
+        file = folder / _name(directive)
+        if not file.is_file():
+            raise ProgramError(f"there is no file {_name(directive)} to include beside this one", directive.place)
+        self._check_circle(file, directive)
+        return file
+
+    def _used(self, directive: Directive, folder: Path) -> Iterator[Sentence]:
+        prefix, file = _prefix(directive), self._found(_name(directive), directive, folder)
+        known = self._prefixes.setdefault(prefix, file.resolve())
+        if known != file.resolve():
+            raise ProgramError(f"the prefix {prefix} already stands for {known}; choose another one", directive.place)
+        self._check_circle(file, directive)
+        inner = Sources(self.roots, self.read, self.mistake, self.files, self._open)
+        key = Path(f"{prefix}:{file.resolve()}")  # the same line in two included files adds nothing
+        if key not in self._read:
+            self._read.add(key)
+            yield from prefixed(inner.sentences(file), prefix)
+
+    def _found(self, name: str, directive: Directive, folder: Path) -> Path:
+        for place in (folder, *self.roots):
+            path = place / name
+            if path.is_file():
+                return path
+            if (path / MAIN).is_file():
+                return path / MAIN
+        sentence = f"there is no domain {name} to use: give a file, or a folder with an {MAIN}, beside this one"
+        raise ProgramError(sentence, directive.place)
+
+    def _check_circle(self, file: Path, directive: Directive) -> None:
+        known = [path.resolve() for path in self._open]
+        if file.resolve() in known:
+            names = [path.name for path in self._open[known.index(file.resolve()) :]]
+            circle = " needs ".join([*names, file.name])
+            raise ProgramError(f"this file contains itself ({circle}); take the line out", directive.place)
+
+
+def fingerprint(files: Iterable[Path]) -> str:
+    """A text that is another one as soon as a file has changed, has gone, or has come."""
+    told = hashlib.sha256()
+    for file in sorted(set(files)):
+        try:
+            content = hashlib.sha256(file.read_bytes()).hexdigest()
+        except OSError:
+            content = "nothing"
+        told.update(f"{file}\n{content}\n".encode())
+    return told.hexdigest()
+
+
+def _name(directive: Directive) -> str:
+    name = directive.term[1]
+    if not isinstance(name, str) or not name:
+        shown = term_text(as_term(directive.term))
+        raise ProgramError(f'{shown} names no file: write include("other.pl")', directive.place)
+    return name
+
+
+def _prefix(directive: Directive) -> str:
+    given = directive.term[2]
+    if isinstance(given, Compound) and given.indicator == ("as", 1):
+        prefix = given[1]
+        if isinstance(prefix, str) and prefix.isidentifier() and prefix[0].islower():
+            return prefix
+    shown = term_text(as_term(directive.term))
+    raise ProgramError(f'{shown} has no prefix: write use("folder", as(prefix))', directive.place)

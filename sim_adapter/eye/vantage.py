@@ -1,0 +1,31 @@
+"""Where the robot watches from: the free spot that sees most of the objects and is in nobody's way."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from casper.sim_adapter.eye.sensors import Sensor, visible_from
+from casper.sim_adapter.physics.physics import Physics
+from casper.sim_adapter.physics.robot import HEAD_Z, SHOULDER_Z
+from casper.sim_adapter.robot.arm import HOME, best_lift
+from casper.sim_adapter.room.navigation import CELL, Navigator
+from casper.sim_adapter.room.scene import Point
+
+APART = 1.1  # metres kept from every object, so that the partner can get at it
+
+
+def vantage(physics: Physics, sensor: Sensor, navigator: Navigator, start: Point) -> Point:
+    """The best spot, of equally good ones the nearest to the start; the start when there is no free spot."""
+    height = SHOULDER_Z + best_lift(HOME[2]) + HEAD_Z
+    things = physics.scene.things
+    where = physics.positions()
+
+    def seen(spot: Point) -> int:
+        eye = np.array([*spot, height])
+        return sum(visible_from(sensor, eye, things[name], at) for name, at in where.items())
+
+    spots = [(CELL * column, CELL * row) for column, row in navigator.graph]
+    apart = [spot for spot in spots if all(math.dist(spot, at[:2]) >= APART for at in where.values())]
+    return max(apart, key=lambda spot: (seen(spot), -math.dist(spot, start)), default=start)

@@ -1,0 +1,175 @@
+"""The MuJoCo state behind names: poses, servos, welds that hold, and stepping with smoothly moved mocap bodies."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from casper.kb.errors import DomainError
+from casper.sim_adapter.physics.model import build_model, hand_name, hold_name
+from casper.sim_adapter.room.placement import Spot, is_placed
+from casper.sim_adapter.room.scene import Scene
+
+Vector = NDArray[np.float64]
+STILL_SPEED = 0.03  # m/s: below it an object counts as resting
+AWAY = (20.0, 20.0)  # where removed objects are parked
+
+
+class Physics:
+    """A compiled scene and its state. Positions are metres, angles radians, times seconds."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self.model: Any = build_model(scene)
+        self.data: Any = mujoco.MjData(self.model)
+        self.substeps = max(1, round(scene.sim.control / scene.sim.timestep))
+        self.removed: set[str] = set()
+        self._held: dict[str, str] = {}
+        self._body = {self.model.body(i).name: i for i in range(self.model.nbody)}
+        self._servo = {self.model.actuator(i).name: i for i in range(self.model.nu)}
+        self._hold = {self.model.equality(i).name: i for i in range(self.model.neq)}
+        self._qpos = {self.model.joint(i).name: int(self.model.jnt_qposadr[i]) for i in range(self.model.njnt)}
+        self._dof = {self.model.joint(i).name: int(self.model.jnt_dofadr[i]) for i in range(self.model.njnt)}
+        self._mocap = {name: int(self.model.body_mocapid[i]) for name, i in self._body.items()}
+        self._goals = self.data.mocap_pos.copy(), self.data.mocap_quat.copy()
+        mujoco.mj_forward(self.model, self.data)
+
+    @property
+    def time(self) -> float:
+        """Seconds since the start."""
+        return round(float(self.data.time), 6)  # the sum of many steps is off by some 1e-12
+
+    @property
+    def warnings(self) -> int:
+        """Number of warnings MuJoCo has given so far."""
+        return sum(int(warning.number) for warning in self.data.warning)
+
+    def body_id(self, name: str) -> int:
+        """MuJoCo's number of a body."""
+        return self._body[name]
+
+    def position(self, name: str) -> Spot:
+        """Where the origin of a body is; of a movable, its middle."""
+        if name in self._qpos:
+            at = self._qpos[name]
+            x, y, z = self.data.qpos[at : at + 3]
+        else:
+            x, y, z = self.data.xpos[self._body[name]]
+        return float(x), float(y), float(z)
+
+    def positions(self) -> dict[str, Spot]:
+        """Where every object of interest is that is still in the world."""
+        return {name: self.position(name) for name in self.scene.things if name not in self.removed}
+
+    def site(self, name: str) -> Vector:
+        """Where a site is."""
+        return np.array(self.data.site(name).xpos)
+
+    def joint(self, name: str) -> float:
+        """Angle (or way) of a joint."""
+        return float(self.data.qpos[self._qpos[name]])
+
+    def joint_speed(self, name: str) -> float:
+        """Speed of a joint."""
+        return float(self.data.qvel[self._dof[name]])
+
+    def set_joint(self, name: str, value: float) -> None:
+        """Put a joint and its servo somewhere at once (only for the start)."""
+        self.data.qpos[self._qpos[name]] = value
+        self.data.ctrl[self._servo[name]] = value
+
+    def servo(self, name: str, value: float) -> None:
+        """Set what a servo aims at."""
+        self.data.ctrl[self._servo[name]] = value
+
+    def speed(self, name: str) -> float:
+        """Speed of a movable, m/s."""
+        at = self._dof[name]
+        return float(np.linalg.norm(self.data.qvel[at : at + 3]))
+
+    def aim_mocap(self, name: str, position: Spot, yaw: float, *, at_once: bool = False) -> None:
+        """Where a mocap body shall be at the end of the next control step."""
+        index = self._mocap[name]
+        quat = (math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2))
+        if self.data.mocap_quat[index] @ quat < 0:
+            quat = (-quat[0], 0.0, 0.0, -quat[3])
+        self._goals[0][index], self._goals[1][index] = position, quat
+        if at_once:
+            self.data.mocap_pos[index], self.data.mocap_quat[index] = position, quat
+
+    def step(self) -> None:
+        """One control step: the mocap bodies glide to their goals, so that what they hold is not jerked."""
+        data = self.data
+        pos, quat = data.mocap_pos.copy(), data.mocap_quat.copy()
+        for substep in range(1, self.substeps + 1):
+            share = substep / self.substeps
+            data.mocap_pos[:] = pos + share * (self._goals[0] - pos)
+            data.mocap_quat[:] = quat + share * (self._goals[1] - quat)
+            mujoco.mj_step(self.model, data)
+
+    def refresh(self) -> None:
+        """Bring everything that is derived from the joints up to date without moving the clock."""
+        mujoco.mj_forward(self.model, self.data)
+
+    def held_by(self, agent: str) -> str | None:
+        """What an agent holds."""
+        return self._held.get(agent)
+
+    def holder(self, thing: str) -> str | None:
+        """Who holds an object."""
+        return next((agent for agent, held in self._held.items() if held == thing), None)
+
+    def grasp(self, agent: str, thing: str) -> None:
+        """Weld an object to an agent's hand exactly as the two lie now, so that nothing jumps.
+
+        What stands in a dish is held steady with it: people balance a carried plate, this simulation does not.
+        """
+        for name in (thing, *self.contents(thing)):
+            self._weld(hand_name(agent), name, self._hold[hold_name(agent, name)])
+        self._held[agent] = thing
+
+    def release(self, agent: str) -> None:
+        """Let go of what the agent holds, if anything."""
+        if self._held.pop(agent, None) is not None:
+            for thing in self.scene.movables:
+                self.data.eq_active[self._hold[hold_name(agent, thing)]] = 0
+
+    def contents(self, dish: str) -> list[str]:
+        """What stands in a dish."""
+        if self.scene.thing(dish).shape != "dish":
+            return []
+        where = self.positions()
+        return [name for name in self.scene.movables if is_placed(self.scene, where, name, dish, inside=True)]
+
+    def _weld(self, hand: str, thing: str, index: int) -> None:
+        place, turn = np.empty(3), np.empty(4)
+        inverse_place, inverse_turn = np.empty(3), np.empty(4)
+        data, one, other = self.data, self._body[hand], self._body[thing]
+        mujoco.mju_negPose(inverse_place, inverse_turn, data.xpos[one], data.xquat[one])
+        mujoco.mju_mulPose(place, turn, inverse_place, inverse_turn, data.xpos[other], data.xquat[other])
+        self.model.eq_data[index, 0:3] = 0.0
+        self.model.eq_data[index, 3:6] = place
+        self.model.eq_data[index, 6:10] = turn
+        data.eq_active[index] = 1
+
+    def remove(self, thing: str) -> None:
+        """Take a movable object out of the world for good.
+
+        Raises:
+            DomainError: no such object, or it is fixed.
+        """
+        if not self.scene.thing(thing).movable:
+            raise DomainError(f"{thing} is fixed; only what has a mass can be removed")
+        holder = self.holder(thing)
+        if holder is not None:
+            self.release(holder)
+        self.removed.add(thing)
+        at, dof = self._qpos[thing], self._dof[thing]
+        x = AWAY[0] + len(self.removed)
+        self.data.qpos[at : at + 7] = (x, AWAY[1], self.scene.thing(thing).height / 2, 1.0, 0.0, 0.0, 0.0)
+        self.data.qvel[dof : dof + 6] = 0.0
+        mujoco.mj_forward(self.model, self.data)

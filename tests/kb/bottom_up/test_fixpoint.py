@@ -1,0 +1,118 @@
+"""Materialisation against its specification and against brute force."""
+
+import pytest
+from hypothesis import given
+from programs import atoms_of, match, model, programs, put, solutions
+
+from casper.kb.base import KnowledgeBase
+from casper.kb.bottom_up.materialise import materialise
+from casper.kb.bottom_up.specification import naive_fixpoint
+from casper.kb.errors import BudgetExceeded
+from casper.kb.program.program import analyse
+from casper.kb.terms.terms import Compound
+from casper.kb.text.reader import read_text
+
+
+def program_of(text):
+    base = KnowledgeBase()
+    base.add(read_text(text))
+    return analyse(base.clauses, base._dynamic)
+
+
+def clauses_of(program):
+    facts = [clause for found in program.given.values() for clause in found.values()]
+    return [*facts, *(rule for found in program.rules.values() for rule in found)]
+
+
+@given(programs())
+def test_materialisation_equals_the_naive_fixpoint(text):
+    program = program_of(text)
+    assert atoms_of(materialise(program)) == atoms_of(naive_fixpoint(program))
+
+
+@given(programs())
+def test_materialisation_equals_brute_force(text):
+    program = program_of(text)
+    assert not program.top_down
+    assert atoms_of(materialise(program)) == model(clauses_of(program), program.strata)
+
+
+@given(programs())
+def test_every_row_is_a_fact_or_follows_from_rows_of_earlier_rounds(text):
+    program = program_of(text)
+    relations = materialise(program)
+    rounds = {Compound((i[0], *row)): at for i, r in relations.items() for row, at in r.rows.items()}
+    rules = clauses_of(program)
+    for atom, at in rounds.items():
+        earlier = {other for other, when in rounds.items() if when < at}
+        heads = ((c, match(c.head, atom, {})) for c in rules)
+        assert any(
+            put(c.head, s) == atom
+            for c, start in heads
+            if start is not None
+            for s in solutions(list(c.body), earlier, start)
+        )
+
+
+def rows(text, goal):
+    return [tuple(answer.values()) for answer in KnowledgeBase.from_text(text).query(goal)]
+
+
+def test_left_recursion_ends():
+    text = "e(1,2). e(2,3). e(3,1). r(X,Y) :- r(X,Z), e(Z,Y). r(X,Y) :- e(X,Y)."
+    assert len(rows(text, "r(X,Y)")) == 9
+
+
+def test_doubly_recursive_rules_reach_everything():
+    text = "e(1,2). e(2,3). e(3,4). e(4,5). r(X,Y) :- e(X,Y). r(X,Y) :- r(X,Z), r(Z,Y)."
+    assert len(rows(text, "r(X,Y)")) == 10
+
+
+def test_mutual_recursion_ends():
+    text = "n(0,1). n(1,2). n(2,3). even(0). even(Y) :- odd(X), n(X,Y). odd(Y) :- even(X), n(X,Y)."
+    assert rows(text, "even(X)") == [(0,), (2,)]
+
+
+def test_negation_sees_the_whole_stratum_below():
+    text = "e(1,2). e(2,3). n(1). n(2). n(3). r(X,Y) :- e(X,Y). r(X,Y) :- e(X,Z), r(Z,Y). un(X,Y) :- n(X), n(Y), \\+ r(X,Y)."
+    assert len(rows(text, "un(X,Y)")) == 6
+
+
+def test_a_named_variable_with_an_underscore_is_shared_like_any_other():
+    assert rows("q(a). q(b). p(b). r(_X) :- \\+ p(_X), q(_X).", "r(X)") == [("a",)]
+
+
+def test_an_open_part_inside_a_negated_compound_asks_for_no_row_of_that_shape():
+    assert rows("q(a). q(b). p(f(b,c)). r(X) :- q(X), \\+ p(f(X,_)).", "r(X)") == [("a",)]
+
+
+def test_arithmetic_in_a_rule_is_worked_out():
+    assert rows("n(1). n(2). double(X, Y) :- n(X), Y is X * 2.", "double(X, Y)") == [(1, 2), (2, 4)]
+
+
+@pytest.mark.parametrize("sum_", ["a + 1", "1 / 0", f"{'9' * 400} / 3", f"{'9' * 400} + 0.5", "1000000000000000000 * 10"])
+def test_what_has_no_value_equals_nothing(sum_):
+    assert rows("p.", f"p, X is {sum_}") == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "nat(z). nat(s(X)) :- nat(X).",
+        "nat(z). nat(Y) :- nat(X), Y = s(X).",
+        "nat(0). nat(Y) :- nat(X), Y is X + 1.",
+        "nat(z). nat(X) :- up(X). up(s(X)) :- nat(X).",
+    ],
+)
+def test_recursion_that_builds_terms_is_left_to_the_search(text):
+    assert ("nat", 1) in program_of(text).top_down
+
+
+def test_terms_built_without_recursion_are_listed():
+    assert rows("p(a). p(b). q(f(X)) :- p(X).", "q(f(X))") == [("a",), ("b",)]
+
+
+@pytest.mark.parametrize("text", ["p(1). p(2). p(3).", "e(1,2). e(2,1). r(X,Y) :- e(X,Y). r(X,Y) :- e(X,Z), r(Z,Y)."])
+def test_too_many_facts_are_refused_with_the_predicate_that_has_most(text):
+    with pytest.raises(BudgetExceeded, match=r"more than 2 facts; [per]/\d has most"):
+        materialise(program_of(text), most_rows=2)

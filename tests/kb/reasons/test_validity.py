@@ -1,0 +1,204 @@
+"""Verification: provable, and no constraint broken when it is claimed; repairs."""
+
+import pytest
+
+from casper.kb.base import KnowledgeBase
+from casper.kb.terms.terms import Compound
+
+HOME = """
+human(ann). robot(tia). food(egg). food(bread). plate(plate). vessel(plate). vessel(mug). sink(sink).
+move(A, T, D) :- agent(A), item(T), vessel(D), T \\= D.
+agent(X) :- human(X).
+agent(X) :- robot(X).
+item(X) :- food(X).
+item(X) :- vessel(X).
+eat(A, F, D) :- human(A), food(F), plate(D).
+wash(A, V, D) :- agent(A), vessel(V), sink(D).
+rest(_).
+say(A, _) :- human(A).
+never("bread goes on the plate only") :- claim(move(_, bread, D)), \\+ plate(D).
+never("nobody eats twice the same") :- claim(eat(A, F, _)), did(eat(A, F, _), _).
+never("wait ten seconds before washing") :- claim(wash(_, _, _)), did(eat(_, _, _), T), T > 10.
+never("nobody says a secret") :- claim(say(_, W)), secret(W).
+never("nobody shouts") :- claim(say(_, W)), W = shout(_).
+never("say no numbers over nine") :- claim(say(_, W)), W > 9.
+secret(x).
+"""
+
+
+def home(more=""):
+    return KnowledgeBase.from_text(HOME + more)
+
+
+def verdict(statement, history=(), more=""):
+    return home(more).verify(statement, history)
+
+
+def test_a_provable_statement_that_breaks_nothing_is_valid():
+    assert verdict("move(ann, egg, mug)").valid is True
+
+
+def test_a_statement_that_is_not_provable_is_invalid_with_its_reason():
+    found = verdict("eat(tia, egg, plate)")
+    assert found.valid is False
+    assert found.reasons == ("tia is not a human",)
+
+
+def test_a_claim_that_breaks_a_constraint_is_invalid_with_the_constraints_sentence():
+    found = verdict("move(tia, bread, mug)")
+    assert found.valid is False
+    assert found.reasons == ("bread goes on the plate only",)
+
+
+def test_a_broken_constraint_shows_the_conditions_that_clash():
+    (violation,) = verdict("move(tia, bread, mug)").refusal.violations
+    assert [str(x.atom) for x in violation.clash] == ["claim(move(tia, bread, mug))", "plate(mug)"]
+
+
+def test_an_unprovable_statement_may_break_a_constraint_as_well():
+    found = verdict("move(egg, bread, mug)")
+    assert found.reasons == ("egg is not an agent", "bread goes on the plate only")
+
+
+EATEN = Compound(("eat", "ann", "egg", "plate"))
+
+
+@pytest.mark.parametrize("earlier", ["eat(ann, egg, plate)", EATEN, tuple(EATEN)], ids=["text", "term", "tuple"])
+def test_what_happened_earlier_can_break_a_constraint(earlier):
+    assert verdict("eat(ann, egg, plate)", [(earlier, 3.0)]).reasons == ("nobody eats twice the same",)
+
+
+def test_what_happened_earlier_to_others_does_not():
+    assert verdict("eat(ann, bread, plate)", [(EATEN, 3.0)]).valid is True
+
+
+@pytest.mark.parametrize(("seconds", "valid"), [(3.0, True), (12.0, False)])
+def test_the_time_of_what_happened_is_known(seconds, valid):
+    assert verdict("wash(tia, mug, sink)", [(EATEN, seconds)]).valid is valid
+
+
+def test_a_rule_may_ask_what_happened_earlier():
+    rule = "serve(F) :- did(cook(F), _)."
+    assert verdict("serve(egg)", [("cook(egg)", 1.0)], rule).valid is True
+    assert verdict("serve(egg)", [("cook(bread)", 1.0)], rule).valid is False
+    assert verdict("serve(egg)", (), rule).reasons == ("did(cook(egg), _) does not hold",)
+
+
+def test_a_part_with_one_valid_value_is_filled_in():
+    assert str(verdict("wash(tia, mug, D)").completed) == "wash(tia, mug, sink)"
+
+
+def test_a_part_with_several_valid_values_stays_open():
+    assert str(verdict("wash(tia, V, _)").completed) == "wash(tia, V, sink)"
+
+
+def test_a_constraint_narrows_what_can_be_filled_in():
+    assert str(verdict("move(ann, bread, D)").completed) == "move(ann, bread, plate)"
+
+
+def test_no_value_that_does_is_invalid():
+    assert verdict("eat(tia, F, D)").valid is False
+
+
+def test_a_part_that_may_be_anything_is_not_broken_by_a_constraint_on_some_value():
+    found = verdict("say(ann, W)")
+    assert found.valid is True
+    assert str(found.completed) == "say(ann, W)"
+
+
+def test_the_value_that_breaks_it_is_invalid():
+    assert verdict("say(ann, x)").reasons == ("nobody says a secret",)
+    assert verdict("say(ann, shout(hey))").reasons == ("nobody shouts",)
+    assert verdict("say(ann, 12)").reasons == ("say no numbers over nine",)
+
+
+def test_an_undefined_predicate_is_invalid_with_a_reason():
+    found = verdict("jump(ann)")
+    assert found.valid is False
+    assert found.reasons == ("there is no action jump/1 here",)
+
+
+def test_the_wrong_number_of_parts_is_invalid_with_a_reason():
+    assert verdict("eat(ann, egg)").reasons == ("eat takes 3 arguments, not 2",)
+
+
+def test_a_constraint_that_the_facts_break_spoils_every_statement():
+    found = verdict("eat(ann, egg, plate)", (), 'never("no mugs") :- vessel(mug).')
+    assert found.valid is False
+    assert found.reasons == ("no mugs",)
+
+
+def test_a_statement_without_parts_is_one_too():
+    assert verdict("nap", (), 'nap. never("no naps after food") :- claim(nap), did(eat(_, _, _), _).').valid is True
+    assert verdict("nap", [(EATEN, 1.0)], 'nap. never("no naps") :- claim(nap), did(eat(_, _, _), _).').valid is False
+
+
+def test_a_search_without_end_is_unknown():
+    found = verdict("loop(a)", (), "loop(X) :- loop(s(X)), Open = Open. loop(_) :- loop(_).")
+    assert found.valid is None
+    assert "the answer is unknown" in found.reasons[0]
+
+
+def test_a_statement_known_to_be_valid_for_some_value_is_not_unknown():
+    found = verdict("n(Y, X)", (), "n(a, z). n(a, s(X)) :- n(a, X).")
+    assert found.valid is True
+
+
+def test_a_constraint_that_asks_for_validity_without_end_is_unknown_too():
+    assert verdict("nap", (), 'nap. never("hm") :- claim(C), \\+ valid(C).').valid is None
+
+
+def test_a_constraint_may_rest_on_another():
+    base = KnowledgeBase.from_text('p(a). never("x") :- p(a). never("y") :- never("x"). bad(S) :- never(S).')
+    assert base.verify("p(a)").reasons == ("x", "y")
+    assert list(base.query("bad(S)")) == [{"S": "x"}]
+
+
+def test_valid_lists_every_valid_statement():
+    base = home()
+    base.declare_statements([("eat", 3), ("wash", 3)])
+    listed = {str(answer["S"]) for answer in base.query("valid(S)")}
+    assert listed == {f"eat(ann, {f}, plate)" for f in ("egg", "bread")} | {
+        f"wash({a}, {v}, sink)" for a in ("ann", "tia") for v in ("plate", "mug")
+    }
+
+
+def test_a_refusal_of_validity_is_the_refusal_of_the_statement():
+    assert home().why_not("valid(move(tia, bread, mug))").reasons == ("bread goes on the plate only",)
+
+
+@pytest.mark.parametrize(
+    ("statement", "repairs"),
+    [
+        ("eat(ann, mug, plate)", ["add food(mug)"]),
+        ("human(bob)", ["add human(bob)"]),
+        ("wash(bob, mug, sink)", ["add human(bob)", "add robot(bob)"]),
+        ("move(ann, bread, mug)", ["add plate(mug)"]),
+        ("move(bob, bread, mug)", ["add human(bob) and add plate(mug)", "add plate(mug) and add robot(bob)"]),
+        ("say(ann, x)", ["remove secret(x)"]),
+        ("eat(ann, egg, plate)", []),
+        ("move(ann, mug, mug)", []),
+        ("jump(ann)", []),
+    ],
+)
+def test_a_repair_is_the_smallest_change_of_facts(statement, repairs):
+    assert [str(repair) for repair in home().repair(statement)] == repairs
+
+
+def test_a_repair_takes_away_what_a_derived_obstacle_rests_on():
+    base = KnowledgeBase.from_text("cracked(mug). broken(X) :- cracked(X). mug(mug). use(X) :- mug(X), \\+ broken(X).")
+    assert [str(repair) for repair in base.repair("use(mug)")] == ["remove cracked(mug)"]
+
+
+def test_a_repair_breaks_no_constraint_that_held():
+    base = KnowledgeBase.from_text('robot(tia). :- dynamic(human/1). eat(A) :- human(A). never("both") :- human(X), robot(X).')
+    (repair,) = base.repair("eat(tia)")
+    assert repair.to_json() == {"add": ["human(tia)"], "remove": ["robot(tia)"]}
+    assert [str(repair) for repair in base.repair("eat(ann)")] == ["add human(ann)"]
+
+
+def test_a_repair_leaves_the_knowledge_base_as_it_is():
+    base = home()
+    before = base.to_text()
+    base.repair("eat(ann, mug, plate)")
+    assert base.to_text() == before

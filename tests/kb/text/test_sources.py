@@ -1,0 +1,181 @@
+"""Texts of several files: include and use, and the mistakes one can make with them."""
+
+import pytest
+
+from casper.kb.base import KnowledgeBase
+from casper.kb.errors import CasperError
+from casper.kb.terms.terms import Compound
+from casper.kb.text.namespace import prefixed
+from casper.kb.text.reader import read_query, read_statement, read_text
+from casper.kb.text.sources import Sources, fingerprint
+from casper.kb.text.writer import program_text
+
+
+def written(folder, **files):
+    for name, text in files.items():
+        path = folder / f"{name.replace('__', '/')}.pl"
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text)
+    return folder / "main.pl"
+
+
+def loaded(file, roots=()):
+    kb = KnowledgeBase()
+    kb.add(Sources(roots).sentences(file))
+    return kb
+
+
+# --- include --------------------------------------------------------------------------------------------------------
+
+
+def test_an_included_file_stands_where_the_line_stands(tmp_path):
+    main = written(tmp_path, main='p(a).\n:- include("other.pl").\np(c).\n', other="p(b).\n")
+    assert [row for (row,) in loaded(main).rows("p", 1)] == ["a", "b", "c"]
+
+
+def test_it_is_looked_for_beside_the_file_that_includes_it(tmp_path):
+    main = written(tmp_path, main=':- include("parts/one.pl").', parts__one=':- include("two.pl").', parts__two="p(a).")
+    assert loaded(main).ask("p(a)")
+
+
+def test_a_clause_of_an_included_file_knows_its_own_place(tmp_path):
+    main = written(tmp_path, main=':- include("other.pl").', other="p(a).\nq(X) :- r(X).\n")
+    with pytest.raises(CasperError, match=r"other\.pl:2:9: nothing defines r/1"):
+        loaded(main).compile()
+
+
+def test_a_file_is_read_once_however_often_it_is_included(tmp_path):
+    main = written(tmp_path, main=':- include("a.pl").\n:- include("b.pl").', a=':- include("c.pl").', b=':- include("c.pl").', c="t --> s.")
+    assert len(Sources().sentences(main)) == 1
+
+
+# --- use ------------------------------------------------------------------------------------------------------------
+
+HOME = """\
+food(bread).
+cat(tom).
+eat(A, T) :- cat(A), food(T), T \\= fish.
+tidy(A) :- cat(A), \\+ did(eat(A, _), _).
+:- dynamic(fresh/1).
+never("cats eat fresh things") :- claim(eat(_, T)), \\+ fresh(T).
+never("nothing twice") :- claim(S), S = eat(A, T), did(eat(A, T), _).
+"""
+
+
+def test_the_predicates_of_a_used_text_bear_its_prefix(tmp_path):
+    main = written(tmp_path, main=':- use("home.pl", as(home)).\nfood(stone).\nmine(X) :- home:food(X), \\+ food(X).\n', home=HOME)
+    kb = loaded(main)
+    assert list(kb.query("mine(X)")) == [{"X": "bread"}]
+    assert list(kb.query("home:eat(A, T)")) == [{"A": "tom", "T": "bread"}]
+    assert list(kb.query("food(X)")) == [{"X": "stone"}]
+    assert not kb.defines("eat", 2)
+
+
+def test_of_a_folder_its_ontology_is_used(tmp_path):
+    main = written(tmp_path, main=':- use("house", as(h)).', house__ontology=':- include("more.pl").', house__more="food(bread).")
+    assert loaded(main).ask("h:food(bread)")
+
+
+def test_a_domain_can_be_used_by_its_name_where_there_are_roots(tmp_path):
+    main = written(tmp_path, main=':- use("house", as(h)).')
+    (tmp_path / "shipped" / "house").mkdir(parents=True)
+    (tmp_path / "shipped" / "house" / "ontology.pl").write_text("food(bread).")
+    assert loaded(main, [tmp_path / "shipped"]).ask("h:food(bread)")
+
+
+def test_its_constraints_are_about_its_own_statements(tmp_path):
+    main = written(tmp_path, main=':- use("home.pl", as(home)).\n:- include("local.pl").', home=HOME, local="eat(tom, bread).")
+    kb = loaded(main)
+    assert kb.verify("home:eat(tom, bread)").reasons == ("cats eat fresh things",)
+    assert kb.verify("eat(tom, bread)").valid is True
+    fresh = loaded(written(tmp_path, main=':- use("home.pl", as(home)).\n:- include("local.pl").', local="", home=HOME + "fresh(bread)."))
+    assert fresh.verify("home:eat(tom, bread)").valid is True
+    assert fresh.verify("home:eat(tom, bread)", [("home:eat(tom, bread)", 1.0)]).reasons == ("nothing twice",)
+    assert fresh.ask("home:tidy(tom)")
+
+
+def test_a_text_that_uses_others_can_be_used_itself(tmp_path):
+    main = written(tmp_path, main=':- use("b.pl", as(b)).\nr(X) :- b:q(X).', b=':- use("c.pl", as(c)).\nq(X) :- c:p(X).', c="p(a).")
+    kb = loaded(main)
+    assert kb.ask("r(a)")
+    assert kb.ask("b:c:p(a)")
+
+
+def test_one_text_under_two_prefixes_is_two(tmp_path):
+    main = written(tmp_path, main=':- use("c.pl", as(one)).\n:- use("c.pl", as(two)).\n:- use("c.pl", as(one)).', c="p(a).")
+    assert [c.head.indicator for c in loaded(main).clauses] == [("one:p", 1), ("two:p", 1)]
+
+
+def test_what_is_used_prints_to_a_text_of_its_own(tmp_path):
+    kb = loaded(written(tmp_path, main=':- use("home.pl", as(home)).\nmine(X) :- home:food(X).', home=HOME))
+    again = KnowledgeBase.from_text(kb.to_text())
+    assert again.clauses == kb.clauses
+    assert again.ask("mine(bread)")
+
+
+def test_a_prefix_in_a_statement_is_a_part_of_the_name():
+    assert read_statement("home:eat(tom, X)").indicator == ("home:eat", 2)
+    assert read_statement("valid(home:eat(tom, X))")[1].indicator == ("home:eat", 2)
+    ((literal,),) = read_query("\\+ home:rain")
+    assert (literal.atom, literal.negated) == (Compound(("home:rain",)), True)
+
+
+def test_a_pair_in_the_data_stays_a_pair():
+    (fact,) = read_text("p(a: b).")
+    assert fact.head[1] == Compound((":", "a", "b"))
+
+
+@pytest.mark.parametrize("text", ["p :- X:q.", "p :- a:X.", "p :- 1:q.", "p :- a:1.", "a:p(b).", "p :- f(a):q."])
+def test_what_is_no_name_with_a_prefix_is_refused(text):
+    with pytest.raises(CasperError, match="cannot stand here"):
+        read_text(text)
+
+
+def test_plans_stay_with_the_text_they_are_in():
+    assert program_text(prefixed(read_text("t --> p(a). p(a)."), "h")) == "'h:p'(a).\n"
+
+
+# --- mistakes -------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("files", "sentence"),
+    [
+        ({"main": 'p.\n:- include("gone.pl").'}, "main.pl:2:1: there is no file gone.pl to include beside this one"),
+        ({"main": 'p.\n:- include("main.pl").'}, "main.pl:2:1: this file contains itself (main.pl needs main.pl)"),
+        ({"main": ':- include("a.pl").', "a": 'p.\n\n:- include("main.pl").'}, "a.pl:3:1: this file contains itself (main.pl needs a.pl needs main.pl)"),
+        ({"main": ':- use("a.pl", as(a)).', "a": ':- use("main.pl", as(m)).'}, "a.pl:1:1: this file contains itself (main.pl needs a.pl needs main.pl)"),
+        ({"main": ':- use("gone", as(g)).'}, "main.pl:1:1: there is no domain gone to use"),
+        ({"main": ':- use("a.pl", as(x)).\n:- use("b.pl", as(x)).', "a": "p.", "b": "p."}, "main.pl:2:1: the prefix x already stands for"),
+        ({"main": ':- use("a.pl", x).', "a": "p."}, "has no prefix: write use(\"folder\", as(prefix))"),
+        ({"main": ':- use("a.pl", as("Big Name")).', "a": "p."}, "has no prefix"),
+        ({"main": ":- include(X)."}, "names no file"),
+        ({"main": ':- include("a.pl").', "a": "p(a."}, "a.pl:1:4"),
+        ({"main": ':- use("a.pl", as(a)).', "a": "p(X) :- q(X)."}, "a.pl:1:9: nothing defines a:q/1"),
+    ],
+)  # fmt: skip
+def test_a_mistake_is_one_sentence_with_its_place(tmp_path, files, sentence):
+    with pytest.raises(CasperError) as told:
+        loaded(written(tmp_path, **files)).compile()
+    assert sentence in str(told.value)
+
+
+def test_all_mistakes_can_be_collected_and_the_rest_is_read(tmp_path):
+    main = written(tmp_path, main='p(a).\n:- include("gone.pl").\n:- include("bad.pl").\n:- use("gone", as(g)).\np(b).', bad="q(")
+    mistakes = []
+    sentences = Sources(mistake=mistakes.append).sentences(main)
+    assert [m.place.line for m in mistakes] == [2, 1, 4]
+    assert sentences == read_text("p(a). p(b).")
+
+
+def test_the_fingerprint_changes_with_any_file(tmp_path):
+    main = written(tmp_path, main=':- include("other.pl").', other="p(a).")
+    sources = Sources()
+    sources.sentences(main)
+    before = fingerprint(sources.files)
+    assert fingerprint(sources.files) == before
+    (tmp_path / "other.pl").write_text("p(b).")
+    changed = fingerprint(sources.files)
+    assert changed != before
+    (tmp_path / "other.pl").unlink()
+    assert fingerprint(sources.files) not in (before, changed)
