@@ -20,11 +20,11 @@ from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import substitute, variables_of
 from casper.kb.text.reader import read_statement, read_text
 from casper.kb.text.writer import program_text
-from casper.plans.expansion import MOST_PLANS, expand
-from casper.plans.plan import Plan
-from casper.plans.shapes import SHAPES
-from casper.plans.simple import simple_term
-from casper.plans.spelling import spelled_out
+from casper.plans.grammar.expansion import MOST_PLANS, expand
+from casper.plans.grammar.shapes import SHAPES
+from casper.plans.grammar.simple import simple_term
+from casper.plans.trees.plan import Plan
+from casper.plans.trees.spelling import spelled_out
 
 GOAL = ("goal", 1)
 RECURSION = ("setting", "plans", "recursion")

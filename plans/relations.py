@@ -19,9 +19,9 @@ from casper.kb.errors import Place
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.terms import Compound, Term, Variable, as_term
 from casper.kb.terms.unification import is_ground, variables_of
-from casper.plans.chart import bits
 from casper.plans.library import PlanLibrary
-from casper.plans.plan import Plan
+from casper.plans.trees.chart import bits
+from casper.plans.trees.plan import Plan
 
 RELATIONS = (
     *(("step", 3), ("uses", 2), ("before", 3), ("optional", 2), ("alternative", 4), ("task", 1)),

@@ -12,8 +12,8 @@ from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import is_ground, substitute
 from casper.plans.library import GOAL
-from casper.plans.plan import Plan
-from casper.plans.spelling import spelled_out
+from casper.plans.trees.plan import Plan
+from casper.plans.trees.spelling import spelled_out
 from casper.sim_adapter.steps import Step
 
 

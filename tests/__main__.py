@@ -1,4 +1,7 @@
-"""Everything that must hold, in one command: ``python tests`` runs ruff, mypy and pytest, and stops at the first failure."""
+"""Everything that must hold, in one command: ``python tests`` runs ruff, mypy, import-linter and pytest.
+
+It stops at the first failure. What stands behind ``python tests`` on the command line goes to pytest.
+"""
 
 import os
 import subprocess
@@ -7,18 +10,20 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 WORKERS = str(min(4, os.cpu_count() or 1))
-STEPS = (
-    ("ruff", "check", "."),
-    ("mypy", "--strict", "-p", "casper"),
-    ("pytest", "-n", WORKERS, "--dist", "loadgroup"),
-)
+LAYERS = "import sys; from importlinter.cli import lint_imports; sys.exit(lint_imports(no_cache=True))"
+STEPS = {
+    "ruff": ("-m", "ruff", "check", "."),
+    "mypy": ("-m", "mypy", "--strict", "-p", "casper"),
+    "import-linter": ("-c", LAYERS),
+    "pytest": ("-m", "pytest", "-n", WORKERS, "--dist", "loadgroup", *sys.argv[1:]),
+}
 
 
 def main() -> int:
     """Run every step from the project's root; the exit code of the first that fails, else 0."""
-    for module, *arguments in STEPS:
-        print(f"--- {module} {' '.join(arguments)}", flush=True)
-        done = subprocess.run([sys.executable, "-m", module, *arguments, *(sys.argv[1:] if module == "pytest" else [])], cwd=ROOT)
+    for name, command in STEPS.items():
+        print(f"--- {name}", flush=True)
+        done = subprocess.run([sys.executable, *command], cwd=ROOT)
         if done.returncode:
             return done.returncode
     return 0

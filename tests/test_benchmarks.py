@@ -14,8 +14,8 @@ from casper.engine.recognition.recognisers import PAPER, Options, recogniser
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation
 from casper.kb.terms.terms import Compound, Variable
-from casper.plans.nodes import Action, Shape, Task
-from casper.plans.plan import Plan
+from casper.plans.trees.nodes import Action, Shape, Task
+from casper.plans.trees.plan import Plan
 
 ROOT = Path(__file__).resolve().parent.parent
 for folder in (ROOT, ROOT / "benchmarks" / "recognition"):

@@ -12,7 +12,7 @@ from meaning import Leaves, Meaning
 
 from casper.engine.verification.matching import Binding, Matcher, Mismatch
 from casper.engine.verification.observation import Observation
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 BUDGET = 300_000  # explanations
 

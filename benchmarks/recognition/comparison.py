@@ -15,7 +15,7 @@ from timing import significant, told
 from casper.engine.recognition.recognisers import Options, Recogniser, recogniser
 from casper.engine.verification.matching import Matcher
 from casper.engine.verification.observation import Observation
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 Episodes: TypeAlias = Sequence[Sequence[Observation]]
 

@@ -10,8 +10,8 @@ from meaning import comes_before
 
 from casper.engine.verification.observation import Observation
 from casper.kb.terms.terms import Compound
-from casper.plans.nodes import Action, Node, Shape
-from casper.plans.plan import Plan
+from casper.plans.trees.nodes import Action, Node, Shape
+from casper.plans.trees.plan import Plan
 
 
 def episode(plans: Sequence[Plan], length: int, chance: random.Random, together: int = 1) -> list[Observation]:

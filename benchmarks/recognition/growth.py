@@ -32,7 +32,7 @@ from casper.engine.recognition.pairs import Pairs
 from casper.engine.recognition.recognisers import Options, recogniser
 from casper.engine.verification.matching import Matcher, NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 PATIENCE = 2.0  # seconds for an episode
 EPISODES = 5

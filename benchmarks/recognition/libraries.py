@@ -9,8 +9,8 @@ from typing import Literal, TypeAlias
 
 from casper.kb.terms.terms import Compound, Variable
 from casper.plans.library import PlanLibrary
-from casper.plans.nodes import Action, Shape, Task
-from casper.plans.plan import Plan
+from casper.plans.trees.nodes import Action, Shape, Task
+from casper.plans.trees.plan import Plan
 
 THINGS = ("cup", "pot", "pan", "jar", "tray", "bowl")
 PARAMETERS = (Variable("X"), Variable("Y"))

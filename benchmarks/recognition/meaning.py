@@ -1,7 +1,7 @@
 """What the shapes of a plan mean for its leaves, read off the tree: for pairs of leaves, and for sets of observed ones.
 
 Two leaves part at the lowest node that both stand under, and only there it is decided whether one comes before the
-other or rules it out. Sets of leaves are integers (bit j = leaf j). Nothing here is shared with `casper.plans.chart`.
+other or rules it out. Sets of leaves are integers (bit j = leaf j). Nothing here is shared with `plans.trees.chart`.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from itertools import count
 from operator import or_
 from typing import TypeAlias
 
-from casper.plans.nodes import Action, Node, Shape
-from casper.plans.plan import Plan
+from casper.plans.trees.nodes import Action, Node, Shape
+from casper.plans.trees.plan import Plan
 
 Leaves: TypeAlias = int
 Path: TypeAlias = tuple[tuple[Node, int], ...]  # down to a leaf: each node with the number of the child taken

@@ -16,7 +16,7 @@ from casper.engine.recognition.interleaving import Interleaving
 from casper.engine.recognition.recognisers import Options, recogniser
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 TWO = Options(goals=2)
 

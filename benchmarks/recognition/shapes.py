@@ -11,7 +11,7 @@ from libraries import AndOr, Order, choices, strands
 
 from casper.engine.recognition.recognisers import PAPER
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
-from casper.plans.nodes import Action, Node, Shape
+from casper.plans.trees.nodes import Action, Node, Shape
 
 AND_OR: tuple[tuple[Order, int, float | None], ...] = (  # order, action names, bound in ms
     ("ordered", 100, 10),

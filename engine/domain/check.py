@@ -1,4 +1,4 @@
-"""All that is wrong with a domain: its clauses (`kb.checks`), its plans (`plans.check`), how they fit together."""
+"""All that is wrong with a domain: its clauses (`kb.checks`), its plans (`plans.checks`), how they fit together."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from casper.kb.errors import CasperError, DomainError, Place
 from casper.kb.terms.clauses import Clause, Indicator, Production, Sentence
 from casper.kb.text.recovery import read_tolerantly
 from casper.kb.text.sources import Sources
-from casper.plans import telling_apart
-from casper.plans.check import check_plans, items_of
+from casper.plans.checks import telling_apart
+from casper.plans.checks.check import check_plans, items_of
 from casper.plans.library import GOAL
 from casper.plans.relations import RELATIONS
 

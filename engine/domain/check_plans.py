@@ -18,10 +18,10 @@ from casper.kb.errors import BudgetExceeded, CasperError, Place
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Variable, as_term
 from casper.kb.terms.unification import Bindings, substitute, unify
-from casper.plans.chart import bits, union
 from casper.plans.library import GOAL
-from casper.plans.nodes import Action, Node, Shape
-from casper.plans.plan import Plan
+from casper.plans.trees.chart import bits, union
+from casper.plans.trees.nodes import Action, Node, Shape
+from casper.plans.trees.plan import Plan
 
 MOST_PLANS = 500  # looked at
 MOST_TRIED = 2_000  # steps tried of one plan, over all values of its parameters

@@ -2,10 +2,9 @@
 
     >>> domain = reloaded(domain)                        # the same object as long as no file has changed
     >>> reading, dropped = carried_over(reading, domain)  # observations that fit no more come back with the reason
-    >>> mind, dropped = renewed(mind, domain)             # the same for a running mind
 
-A mistake in a changed file raises, with its place, and whoever holds the old domain goes on with it. `Live` does all of
-this for one mind, and tells each mistake once.
+A mistake in a changed file raises, with its place, and whoever holds the old domain goes on with it. `engine.live` does
+the same for a running mind.
 """
 
 from __future__ import annotations
@@ -13,17 +12,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from casper.engine.collaboration.supervisor import Commitment
 from casper.engine.domain.domain import FILES, Domain
-from casper.engine.domain.relations import SHARING_NAMES
-from casper.engine.mind import Mind
 from casper.engine.reading.reading import Reading
 from casper.engine.recognition.scoring import name_of
 from casper.engine.verification.observation import Seen
-from casper.engine.verification.verification import Verifier
 from casper.kb.errors import CasperError
-from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.sources import fingerprint
 
 
@@ -44,12 +37,13 @@ def reloaded(domain: Domain) -> Domain:
     Raises:
         CasperError: a mistake in a changed file, with its place; the old domain is as good as before.
     """
-    if not domain.fingerprint or _fingerprint(domain) == domain.fingerprint:
+    if not domain.fingerprint or current_fingerprint(domain) == domain.fingerprint:
         return domain
     return Domain.load(domain.folder)
 
 
-def _fingerprint(domain: Domain) -> str:
+def current_fingerprint(domain: Domain) -> str:
+    """What tells the files of a domain as they are now from how they were."""
     return fingerprint([*(domain.folder / file for file in FILES), *domain.files])
 
 
@@ -66,10 +60,10 @@ def carried_over(
     chosen = reading.options
     score = name_of(chosen.measure)
     fresh = domain.reading(policy, verification, chosen.noise, chosen.goals, score, chosen.budget)
-    return fresh, tuple(_replayed(reading.observations, fresh))
+    return fresh, tuple(replayed(reading.observations, fresh))
 
 
-def _replayed(observations: Sequence[Seen], fresh: Reading) -> list[Dropped]:
+def replayed(observations: Sequence[Seen], fresh: Reading) -> list[Dropped]:
     """Take the observations in as far as they fit; those that do not."""
     dropped = []
     for observation in observations:
@@ -83,87 +77,3 @@ def _replayed(observations: Sequence[Seen], fresh: Reading) -> list[Dropped]:
             fresh.undo()
             dropped.append(Dropped(str(observation), reasons))
     return dropped
-
-
-def renewed(mind: Mind, domain: Domain) -> tuple[Mind, tuple[Dropped, ...]]:
-    """A mind for the domain that remembers what another one saw, believed and was committed to.
-
-    Perception goes on where it was, unless its own facts (bands, settings, movements, …) have changed: then it starts
-    afresh, but for where things are. A commitment that still stands keeps its time.
-
-    Raises:
-        CasperError: the domain lacks what perception needs, or a setting is wrong; the old mind is as good as before.
-    """
-    fresh = mind.like(domain)
-    _keep_perception(mind, fresh)
-    made, observations = mind.supervisor.commitment, mind.reading.observations
-    before = 0 if made is None else made.observations
-    dropped = _replayed(observations[:before], fresh.reading)
-    _keep_commitment(made, fresh)
-    dropped += _replayed(observations[before:], fresh.reading)
-    _keep_commitment(made, fresh)
-    refused = _keep_history(mind.verifier, fresh.verifier)
-    known = {d.observed for d in dropped}
-    return fresh, (*dropped, *(d for d in refused if d.observed not in known))
-
-
-def _keep_commitment(made: Commitment | None, fresh: Mind) -> None:
-    """Believe in the same goal since the same time; another goal is for the next observation to tell."""
-    if made is not None and fresh.reading.outcome == made.goal:
-        for _ in fresh.supervisor.update(made.t):
-            pass
-
-
-def _keep_perception(mind: Mind, fresh: Mind) -> None:
-    if mind.domain.partner != fresh.domain.partner:
-        return
-    settings = fresh.tracker.settings
-    fresh.tracker = mind.tracker
-    fresh.tracker.settings = settings
-    if all(_rows(mind.domain, *i) == _rows(fresh.domain, *i) for i in SHARING_NAMES):
-        fresh.perception, fresh.focus = mind.perception, mind.focus
-        fresh.movements, fresh.actions = mind.movements, mind.actions
-
-
-def _rows(domain: Domain, name: str, arity: int) -> Sequence[object]:
-    return list(domain.kb.rows(name, arity))
-
-
-def _keep_history(before: Verifier | None, now: Verifier | None) -> tuple[Dropped, ...]:
-    """What was accepted is judged again; what is not valid any more did not happen, as far as did/2 is concerned."""
-    if before is None or now is None:
-        return ()
-    dropped = []
-    for statement, seconds in before.history:
-        verdict = now.kb.verify(statement, now.history)
-        if verdict.valid is False:
-            observed = as_term(Compound((statement.functor, *statement.args[1:])))
-            dropped.append(Dropped(term_text(observed), verdict.reasons))
-        else:
-            now.history.append((statement, seconds))
-    return tuple(dropped)
-
-
-@dataclass
-class Live:
-    """A mind that follows the files of its domain: ask `refresh` as often as you like, between any two steps."""
-
-    mind: Mind
-    _told: str = ""  # the state of the files whose mistake was told last
-
-    def refresh(self) -> tuple[str, ...]:
-        """Take in changed files; what there is to say about it, one sentence each, nothing when nothing changed.
-
-        A mistake leaves the old domain in force and is told once, with its place.
-        """
-        domain = self.mind.domain
-        now = _fingerprint(domain)
-        if not domain.fingerprint or now in (domain.fingerprint, self._told):
-            return ()
-        try:
-            self.mind, dropped = renewed(self.mind, reloaded(domain))
-        except CasperError as mistake:
-            self._told = now
-            return (f"the changed domain is not taken: {mistake}",)
-        self._told = ""
-        return ("the domain was read anew", *map(str, dropped))

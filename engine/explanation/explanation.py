@@ -10,8 +10,8 @@ from casper.engine.explanation.situation import Situation
 from casper.engine.verification.matching import Binding, bindings_of
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.plans.plan import Plan
-from casper.plans.tree import Status, plan_tree
+from casper.plans.trees.plan import Plan
+from casper.plans.trees.tree import Status, plan_tree
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -71,7 +71,7 @@ class Explanation:
 
     @cached_property
     def status(self) -> tuple[Status, ...]:
-        """The status of every leaf (`casper.plans.tree`)."""
+        """The status of every leaf (`casper.plans.trees.tree`)."""
         closed, belonging = self._reached
         coming = set(self.open_leaves)
         return tuple(
@@ -99,7 +99,7 @@ class Explanation:
         return self.situation.frontier
 
     def tree(self) -> nx.DiGraph:
-        """The marked tree (attributes: `casper.plans.tree`)."""
+        """The marked tree (attributes: `casper.plans.trees.tree`)."""
         known = bindings_of(self.plan, self.binding) if self.binding else {}
         return plan_tree(self.plan, self.status, known)
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from casper.engine.explanation.explanation import Explanation
 from casper.kb.errors import CasperError
-from casper.plans.tree import MARKS
+from casper.plans.trees.tree import MARKS
 
 if TYPE_CHECKING:
     import networkx as nx

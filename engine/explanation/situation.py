@@ -8,7 +8,7 @@ from functools import cached_property
 from casper.engine.verification.matching import Binding, bindings_of
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import substitute
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,8 @@ from casper.engine.recognition.recognisers import Recogniser
 from casper.engine.verification.matching import Binding
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.plans.chart import bits
-from casper.plans.plan import Plan
+from casper.plans.trees.chart import bits
+from casper.plans.trees.plan import Plan
 
 
 class Outlook:

@@ -22,7 +22,7 @@ from casper.engine.recognition.scoring import least_tie
 from casper.engine.recognition.standing import Standing
 from casper.engine.verification.matching import Binding, Matcher
 from casper.engine.verification.observation import Seen
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 Array: TypeAlias = Any  # numpy.ndarray; numpy is imported when the first large library is read
 EXACT_LEAVES = 66  # C(66, 33) < 2**63

@@ -16,7 +16,7 @@ from threading import Lock
 from typing import Any
 
 from casper.engine.recognition.arrays import Array
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 
 @dataclass(frozen=True, slots=True)

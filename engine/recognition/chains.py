@@ -20,7 +20,7 @@ from casper.engine.recognition.scoring import least_tie
 from casper.engine.recognition.standing import Standing
 from casper.engine.verification.matching import Binding, Matcher
 from casper.engine.verification.observation import Seen
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 Row: TypeAlias = tuple[int, int, tuple[tuple[int, int], ...]]
 """Plan, the square of its length; for each of its leaves of this name: how many leaves of the last name lie left of

@@ -17,7 +17,7 @@ from casper.engine.recognition.stacks import Stacks
 from casper.engine.recognition.states import NEEDLESS, State, Weight, start
 from casper.engine.verification.matching import Binding, Matcher, Mismatch
 from casper.engine.verification.observation import Observation, Seen, options_of
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 Part: TypeAlias = tuple[int, State]  # plan, and where it stands
 Hypothesis: TypeAlias = tuple[tuple[Part, ...], int]  # the goals pursued, in the order of the library; needless ones

@@ -14,7 +14,7 @@ from casper.engine.recognition.stacks import Stacks
 from casper.engine.recognition.states import MOST_STATES, Edges, Level, State, Weight, advance, start, weigh
 from casper.engine.verification.matching import Binding, Matcher, Mismatch
 from casper.engine.verification.observation import Observation, Seen, options_of
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 
 class Levels(Stacks):

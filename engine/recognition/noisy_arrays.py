@@ -38,7 +38,7 @@ from casper.engine.recognition.states import NEEDLESS
 from casper.engine.recognition.tracing import first_marks
 from casper.engine.verification.matching import Binding, Matcher, NameMatcher
 from casper.engine.verification.observation import Seen
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 CLOSE = 1 - 1e-9  # weights this near to the best may be equal to it as floats, now or later
 

@@ -38,7 +38,7 @@ from casper.engine.recognition.scoring import least_tie
 from casper.engine.recognition.standing import Standing
 from casper.engine.verification.matching import Binding, Matcher, Mismatch, NameMatcher
 from casper.engine.verification.observation import Seen
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 UNBOUNDED = 1 << 60  # hypotheses
 Listed: TypeAlias = Iterator[tuple[float, Interleaved]]  # weights and explanations, best first

@@ -21,7 +21,7 @@ from math import comb
 from typing import Any, TypeAlias
 
 from casper.engine.recognition.arrays import Array
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 BEGIN = ""  # no action's name
 Blocks: TypeAlias = Mapping[tuple[str, str], Array]  # shapes (states of a, marked observations from 1, states of b)

@@ -15,7 +15,7 @@ from casper.engine.recognition.states import MOST_STATES
 from casper.engine.verification.matching import Binding, Matcher, Mismatch, NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Seen
 from casper.kb.errors import CasperError
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 MANY_PAIRS = 5
 MANY_LEAVES = 400  # of one name: from here on arrays beat plain Python (benchmarks/recognition/growth.py)

@@ -16,7 +16,7 @@ from casper.engine.recognition.counting import Counting, posterior_by
 from casper.engine.recognition.standing import Standing
 from casper.engine.verification.matching import Binding, Matcher, Mismatch, NameMatcher
 from casper.engine.verification.observation import Seen
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 
 class Replay(ABC):

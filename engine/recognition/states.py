@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import TypeAlias
 
 from casper.engine.verification.matching import Binding
-from casper.plans.chart import Chart
+from casper.plans.trees.chart import Chart
 
 State: TypeAlias = tuple[int, int, int, int, int, Binding]
 """Closed leaves, open parts that were entered, leaves of the plan, missed, needless observations, binding."""

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from casper.engine.verification.matching import Binding, Matcher, Mismatch
 from casper.engine.verification.observation import Observation
-from casper.plans.plan import Plan
-from casper.plans.tree import plan_tree
+from casper.plans.trees.plan import Plan
+from casper.plans.trees.tree import plan_tree
 
 if TYPE_CHECKING:
     import networkx as nx

@@ -15,7 +15,7 @@ from casper.engine.verification.observation import Observation
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute, unify
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 Binding: TypeAlias = tuple[Term | None, ...]
 

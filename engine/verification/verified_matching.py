@@ -23,7 +23,7 @@ from casper.kb.base import KnowledgeBase
 from casper.kb.errors import BudgetExceeded
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import is_ground, substitute, unify
-from casper.plans.plan import Plan
+from casper.plans.trees.plan import Plan
 
 MOST_REMEMBERED = 200_000  # matches; then all are forgotten
 Question: TypeAlias = tuple[int, int, Observation, Binding]  # plan, leaf, observation, binding before

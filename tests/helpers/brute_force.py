@@ -16,8 +16,8 @@ import networkx as nx
 
 from casper.engine.verification.matching import Matcher, Mismatch
 from casper.engine.verification.observation import Observation
-from casper.plans.nodes import Action, Node, Shape
-from casper.plans.plan import Plan
+from casper.plans.trees.nodes import Action, Node, Shape
+from casper.plans.trees.plan import Plan
 
 Row = tuple[tuple[int, ...], frozenset[int]]  # leaves in order; the parts that are in it and must be seen
 

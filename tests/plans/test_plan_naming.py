@@ -7,9 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from casper.kb.errors import PlanError
-from casper.plans.expansion import _Grammar
+from casper.plans.grammar.expansion import _Grammar
 from casper.plans.library import PlanLibrary
-from casper.plans.nodes import actions_below
+from casper.plans.trees.nodes import actions_below
 
 _ARGUMENTS = st.sampled_from(["X", "X", "Y", "Y", "X2", "_", "cup", "3", "3.0", "[cup]", "f(X)", "f(Y, _)"])
 

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from casper.kb.terms.terms import Variable
 from casper.plans.library import PlanLibrary
-from casper.plans.tree import plan_tree, statuses, tree_text
+from casper.plans.trees.tree import plan_tree, statuses, tree_text
 
 TEXT = "goal(lunch(F)). lunch(F) --> prepare(F), eat(F, plate), clean(plate). prepare(F) --> cook(F), serve(F). clean(V) --> wash(V)."
 

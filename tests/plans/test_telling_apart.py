@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from casper.plans.checks.telling_apart import findings, inseparable_goals, worst_case_distinctiveness
 from casper.plans.library import PlanLibrary
-from casper.plans.telling_apart import findings, inseparable_goals, worst_case_distinctiveness
 
 
 def library(*plans):

@@ -54,7 +54,7 @@ def show(reading: Reading, top: int, questions: int = 0) -> None:
     from casper.cli.output import bar, console
     from casper.kb.terms.syntax import term_text
     from casper.kb.terms.terms import as_term
-    from casper.plans.tree import tree_text
+    from casper.plans.trees.tree import tree_text
 
     out = console()
     out.rule(f"[bold]{escape(' → '.join(map(str, reading.observations)))}", align="left", style="dim")

@@ -46,8 +46,8 @@ def watched(mind: Mind, lines: Iterable[str], reload: bool = False) -> Iterator[
 
     With ``reload`` changes in the domain's files are taken in between two lines, and told as warnings, too.
     """
-    from casper.engine.domain.reload import Live
     from casper.engine.events import Event
+    from casper.engine.live import Live
     from casper.engine.perception.world import world_state_from_json
     from casper.kb.errors import WorldStateError
 

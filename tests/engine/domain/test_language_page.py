@@ -12,7 +12,7 @@ from casper.kb.checks.check import check_text
 from casper.kb.errors import CasperError
 from casper.kb.terms.clauses import SYSTEM
 from casper.kb.text.reader import read_text
-from casper.plans.expansion import SHAPES
+from casper.plans.grammar.expansion import SHAPES
 
 PAGE = (Path(__file__).parents[3] / "docs" / "language.md").read_text()
 

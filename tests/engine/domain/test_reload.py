@@ -5,7 +5,8 @@ import shutil
 import pytest
 
 from casper.engine.domain.domain import SHIPPED, Domain
-from casper.engine.domain.reload import Live, carried_over, reloaded, renewed
+from casper.engine.domain.reload import carried_over, reloaded
+from casper.engine.live import Live, renewed
 from casper.engine.mind import Mind
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
 from casper.kb.errors import CasperError, ReadError

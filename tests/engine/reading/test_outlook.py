@@ -9,7 +9,7 @@ from readings import domain, reading
 
 from casper.engine.explanation.situation import Situation
 from casper.engine.reading.questions import entropy
-from casper.plans.chart import bits
+from casper.plans.trees.chart import bits
 
 
 def test_a_step_that_may_be_left_out_is_not_asked_about(tmp_path):

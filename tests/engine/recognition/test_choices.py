@@ -9,7 +9,7 @@ from casper.engine.reading.reading import Reading
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.kb.errors import PlanError
 from casper.plans.library import PlanLibrary
-from casper.plans.tree import tree_text
+from casper.plans.trees.tree import tree_text
 
 
 def reading(text, *seen, matcher=NameMatcher):

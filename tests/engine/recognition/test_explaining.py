@@ -13,8 +13,8 @@ from casper.engine.recognition.tree_copying import MarkedTree, explanations
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation
 from casper.kb.terms.terms import Compound, Variable
-from casper.plans.nodes import Action, Task
-from casper.plans.plan import Plan
+from casper.plans.trees.nodes import Action, Task
+from casper.plans.trees.plan import Plan
 
 ACTIONS = "abc"
 THINGS = ("cup", "pot", Variable("P"), Variable("Q"))

@@ -17,8 +17,8 @@ from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation, Uncertain
 from casper.kb.terms.terms import Compound, Variable
 from casper.plans.library import PlanLibrary
-from casper.plans.nodes import Action, Node, Shape, Task
-from casper.plans.plan import Plan
+from casper.plans.trees.nodes import Action, Node, Shape, Task
+from casper.plans.trees.plan import Plan
 
 THINGS = ("cup", "pot", Variable("P"), Variable("Q"))
 MATCHERS = st.sampled_from([NameMatcher, ParameterMatcher])

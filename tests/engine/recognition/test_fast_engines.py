@@ -20,8 +20,8 @@ from casper.engine.recognition.pairs import Pairs
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation
 from casper.kb.terms.terms import Compound
-from casper.plans.nodes import Action, Task
-from casper.plans.plan import Plan
+from casper.plans.trees.nodes import Action, Task
+from casper.plans.trees.plan import Plan
 
 pytest.importorskip("numpy")
 NAMES = st.lists(st.sampled_from("abc").map(Observation), min_size=1, max_size=5)

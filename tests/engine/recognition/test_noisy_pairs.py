@@ -18,8 +18,8 @@ from casper.engine.recognition.interleaving import Interleaving
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation, Uncertain
 from casper.kb.terms.terms import Compound, Variable
-from casper.plans.nodes import Action, Task
-from casper.plans.plan import Plan
+from casper.plans.trees.nodes import Action, Task
+from casper.plans.trees.plan import Plan
 
 pytest.importorskip("numpy")
 from casper.engine.recognition.noisy_pairs import NoisyPairs, fits

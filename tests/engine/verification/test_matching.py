@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 from casper.engine.verification.matching import Clash, ParameterMatcher, filled, slots_of, unified
 from casper.engine.verification.observation import Observation
 from casper.kb.terms.terms import Compound, Variable
-from casper.plans.nodes import Action, Task
-from casper.plans.plan import Plan
+from casper.plans.trees.nodes import Action, Task
+from casper.plans.trees.plan import Plan
 
 CONSTANTS = st.sampled_from(["cup", "pot", 1, 1.0, 2, "[]"])
 PARAMETERS = st.sampled_from([Variable("X"), Variable("Y"), Variable("Z")])

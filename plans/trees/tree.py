@@ -26,8 +26,8 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
 from casper.kb.terms.unification import Bindings, substitute
-from casper.plans.nodes import Action, Node, Shape
-from casper.plans.plan import Plan
+from casper.plans.trees.nodes import Action, Node, Shape
+from casper.plans.trees.plan import Plan
 
 if TYPE_CHECKING:
     import networkx as nx

@@ -11,8 +11,8 @@ from casper.kb.errors import CasperError, Place
 from casper.kb.terms.clauses import Clause, Indicator, Production, Sentence
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, as_term, list_items, predication
+from casper.plans.grammar.shapes import SHAPES
 from casper.plans.library import GOAL, RECURSION, PlanLibrary
-from casper.plans.shapes import SHAPES
 
 if TYPE_CHECKING:
     import networkx as nx

@@ -2,9 +2,9 @@
 
 Shapes in a body: ``(X ; Y)`` is a choice, ``optional(X)`` is X or nothing, ``unordered(X, Y, …)`` any order of its
 arguments, ``steps([a: X, b: Y, …], [a < b, …])`` any order that keeps the stated pairs, ``repeat(X, Min, Max)`` X
-from Min to Max times. They, and the productions of a task, are kept in the plan as `casper.plans.plan.Shape`
-(`casper.plans.spelling` spells them out). Only alternatives that settle a parameter of what surrounds them make plans
-of their own.
+from Min to Max times. They, and the productions of a task, are kept in the plan as `Shape` nodes
+(`plans.trees.spelling` spells them out). Only alternatives that settle a parameter of what surrounds them make plans of
+their own.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from casper.kb.terms.clauses import Production
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, as_term, predication
 from casper.kb.terms.unification import Bindings, is_ground, renamed, unify
-from casper.plans.naming import called, settled, settles, with_values
-from casper.plans.nodes import Action, Node, Shape, Task
-from casper.plans.plan import Plan
-from casper.plans.shapes import CHOICES, SHAPES, Items, partial_order
+from casper.plans.grammar.naming import called, settled, settles, with_values
+from casper.plans.grammar.shapes import CHOICES, SHAPES, Items, partial_order
+from casper.plans.trees.nodes import Action, Node, Shape, Task
+from casper.plans.trees.plan import Plan
 
 MOST_PLANS = 100_000
 MOST_ITEMS = 20_000  # of one goal, with everything it may be done by

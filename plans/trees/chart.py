@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
 
-from casper.plans.nodes import Action, Node, Shape, Task, actions_below, is_plain
+from casper.plans.trees.nodes import Action, Node, Shape, Task, actions_below, is_plain
 
 Progress: TypeAlias = tuple[int, int, int, int]
 """Mask of the closed leaves, mask of the open parts that were entered, leaves of the plan, missed ones."""

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
-from casper.plans.chart import children_before
-from casper.plans.nodes import Action, Node, Task, actions_below
-from casper.plans.plan import Plan
+from casper.plans.trees.chart import children_before
+from casper.plans.trees.nodes import Action, Node, Task, actions_below
+from casper.plans.trees.plan import Plan
 
 Row: TypeAlias = tuple[Node, ...]  # nodes without shapes, one after the other
 

@@ -9,8 +9,8 @@ from casper.kb.errors import Place
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Variable, as_term
 from casper.kb.terms.unification import variables_of
-from casper.plans.chart import Chart, draw_chart
-from casper.plans.nodes import Action, Task, actions_below, is_plain
+from casper.plans.trees.chart import Chart, draw_chart
+from casper.plans.trees.nodes import Action, Task, actions_below, is_plain
 
 
 @dataclass(frozen=True)

@@ -16,10 +16,10 @@ from casper.kb.checks.finding import Finding, note, warning
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Variable, as_term
 from casper.kb.terms.unification import substitute, unify, variables_of
-from casper.plans.chart import Chart
 from casper.plans.library import PlanLibrary, goal_of
-from casper.plans.plan import Plan
-from casper.plans.spelling import spelled_out
+from casper.plans.trees.chart import Chart
+from casper.plans.trees.plan import Plan
+from casper.plans.trees.spelling import spelled_out
 
 MOST_PAIRS = 5_000
 MOST_WAYS = 64

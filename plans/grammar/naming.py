@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, variables_of, walk
-from casper.plans.nodes import Action, Node, Shape, Task
+from casper.plans.trees.nodes import Action, Node, Shape, Task
 
 
 def settled(node: Node, bindings: Bindings) -> Node:
