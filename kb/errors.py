@@ -58,3 +58,7 @@ class WorldStateError(CasperError):
 
 class BudgetExceeded(CasperError):
     """A search stopped at its budget: the answer is unknown, not no."""
+
+
+class Undefined(CasperError):
+    """A statement that is neither true nor false: negation runs in a circle, or an evaluation failed."""

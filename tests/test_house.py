@@ -22,7 +22,7 @@ MOST = 13  # entries beside __init__.py
         ("kb/errors.py", "from casper.plans.library import PlanLibrary", "casper.kb is not allowed to import casper.plans"),
         ("kb/terms/terms.py", "from casper.kb.base import KnowledgeBase", "casper.kb.terms is not allowed to import"),
         ("engine/perception/world.py", "from casper.engine.mind import Mind", "casper.engine.perception is not allowed"),
-        ("plans/chart.py", "from casper.plans.trees.plan import Plan", "No cycles are allowed in casper.plans"),
+        ("plans/trees/chart.py", "from casper.plans.trees.plan import Plan", "No cycles are allowed in casper.plans.trees"),
         ("engine/actions/fsm.py", "from casper.engine.actions.hmm import HmmModel", "No cycles are allowed in casper.engine.actions"),
     ],
 )
