@@ -7,17 +7,16 @@ own; the explanations of a set of plans are then listed by counting these once m
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import cached_property
 from heapq import heapify, heappop, heappush
 from itertools import count
-from math import prod
 from typing import Any
 
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.recognition.kernels.counting import Counting
 from casper.engine.recognition.kernels.interleaving import Interleaving
-from casper.engine.recognition.kernels.kernel import Kernel, Listing, Path, Plans
+from casper.engine.recognition.kernels.kernel import Kernel, Listing, Marks, Path, Plans
 from casper.engine.recognition.kernels.levels import MOST_STATES
+from casper.engine.recognition.kernels.states import split
 from casper.engine.verification.matching import Matcher, NameMatcher
 from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
@@ -32,25 +31,16 @@ class Explanations:
         kernel: what counts.
         level: where it is.
         seen: the observations so far.
-        matcher: what can be taken for what.
     """
 
-    def __init__(self, kernel: Kernel[Any], level: Any, seen: Sequence[Seen], matcher: Matcher) -> None:
-        self.kernel, self.level, self.seen, self.matcher = kernel, level, seen, matcher
-
-    @cached_property
-    def _whole(self) -> float:
-        return self.kernel.total(self.level)
-
-    @cached_property
-    def _least(self) -> int:
-        return self.kernel.least(self.level)
+    def __init__(self, kernel: Kernel[Any], level: Any, seen: Sequence[Seen]) -> None:
+        self.kernel, self.level, self.seen = kernel, level, seen
+        self._whole, self._least = kernel.total(level), kernel.least(level)
 
     def first(self, plans: Plans) -> Explanation | Interleaved:
         """The best explanation of exactly these plans."""
-        kernel = self.kernel
-        plainly = not (kernel.asks or kernel.several) and kernel.noise is None
-        return self._told(self._leftmost(plans[0]) if plainly else next(self._paths(plans)))
+        marks = self.kernel.first_marks(self.level, plans[0], self.seen)
+        return self._told(next(self._paths(plans)) if marks is None else self._marked(plans[0], marks))
 
     def all(self) -> Iterator[Explanation | Interleaved]:
         """Every explanation, lazily: by weight, then plans, then marks."""
@@ -83,23 +73,20 @@ class Explanations:
             parts = tuple((plans[at], leaves, self.kernel.binding(plans[at])) for at, leaves, _ in path.parts)
             yield Path(parts, path.needless, path.size, path.missed)
 
-    def _leftmost(self, plan: int) -> Path:
-        """The best explanation of a row of names: every observation is the first leaf that it can be."""
-        names, marks, at = [leaf[0] for leaf in self.kernel.plans[plan].leaves], list[int](), -1
-        for seen in self.seen:
-            at = names.index(seen.action, at + 1)
-            marks.append(at)
-        return Path(((plan, tuple(marks), self.kernel.binding(plan)),), (), len(names), at + 1 - len(marks))
+    def _marked(self, plan: int, marks: Marks) -> Path:
+        leaves, needless = split(marks)
+        size, missed = len(self.kernel.plans[plan].leaves), leaves[-1] + 1 - len(leaves)
+        return Path(((plan, leaves, self.kernel.binding(plan)),), needless, size, missed)
 
     def _scored(self, path: Path) -> tuple[float, float]:
         """The score, and what the explanation weighs."""
         above, below = self.kernel.measure(path.size, len(self.seen) - len(path.needless), path.missed)
-        price, needless = self.kernel.noise or 1.0, len(path.needless)
-        plain = above / below
-        score = (price**needless * plain if needless else plain) * path.likelihood
-        priced = needless - self._least
-        weight = (price**priced * plain if priced else plain) * path.likelihood
-        return score, weight * prod([self.kernel.priors[plan] for plan, _, _ in path.parts])
+        price, needless, score, prior = self.kernel.noise or 1.0, len(path.needless), above / below, 1.0
+        for plan, _, _ in path.parts:
+            prior *= self.kernel.priors[plan]
+        weight = price ** (needless - self._least) * score if needless != self._least else score
+        score = price**needless * score if needless else score
+        return score * path.likelihood, weight * path.likelihood * prior
 
     def _told(self, path: Path) -> Explanation | Interleaved:
         plans, index = self.kernel.plans, self.kernel.index

@@ -106,7 +106,7 @@ class Teller:
         if leading is None:
             return None
         _, plans, missed, rivals, ties = leading
-        return Standing(self.count, self._goal(plans), missed, rivals, ties)
+        return Standing(self.kernel.count(self._levels[-1]), self._goal(plans), missed, rivals, ties)
 
     def _goal(self, plans: Plans) -> str:
         return " + ".join(self.kernel.goals_of(plans))
@@ -137,4 +137,4 @@ class Teller:
 
     @property
     def _list(self) -> Explanations:
-        return Explanations(self.kernel, self._levels[-1], self.observations, self.matcher)
+        return Explanations(self.kernel, self._levels[-1], self.observations)

@@ -18,7 +18,8 @@ from typing import Any
 
 from casper.engine.recognition.arrays.leaves import leaves_by_name
 from casper.engine.recognition.arrays.shared import Array, OnArrays, Ties, exactly
-from casper.engine.recognition.kernels.kernel import Leading, Parts, Plans
+from casper.engine.recognition.kernels.kernel import Leading, Marks, Parts, Plans
+from casper.engine.recognition.kernels.marks import leftmost
 from casper.engine.recognition.scoring import least_tie
 from casper.engine.verification.matching import Matcher
 from casper.engine.verification.observation import Seen
@@ -164,6 +165,10 @@ class Arrays(OnArrays[Level]):
         plans = self._names[level.action].plan[self._living(level)[0]]
         plans, first = self.np.unique(plans, return_index=True)
         return [(weight, (plan,)) for weight, plan in zip(self._weights(level)[first].tolist(), plans.tolist())]
+
+    def first_marks(self, level: Level, plan: int, seen: Sequence[Seen]) -> Marks:
+        """Every observation is the first leaf that it can be."""
+        return leftmost(self.plans[plan], seen)
 
     def ends(self, level: Level) -> Iterator[tuple[Parts, float]]:
         """By leaf of the last name."""

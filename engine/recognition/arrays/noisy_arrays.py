@@ -26,7 +26,8 @@ from typing import Any
 
 from casper.engine.recognition.arrays.blocks import Layout, Leaves, Table
 from casper.engine.recognition.arrays.shared import Array, OnArrays, Prices, Ties, exactly
-from casper.engine.recognition.kernels.kernel import Leading, Parts, Plans
+from casper.engine.recognition.kernels.kernel import Leading, Marks, Parts, Plans
+from casper.engine.recognition.kernels.marks import first_marks
 from casper.engine.verification.matching import Matcher
 from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
@@ -186,6 +187,20 @@ class NoisyArrays(OnArrays[Level]):
         self.np.maximum.at(weights, self._plans(ends)[0], ends.weight)
         plans = self.np.flatnonzero(weights >= 0)
         return [(weight, (plan,)) for weight, plan in zip(weights[plans].tolist(), plans.tolist())]
+
+    def first_marks(self, level: Level, plan: int, seen: Sequence[Seen]) -> Marks | None:
+        """Of the places where the plan's best explanations end, the one that is reached by the first marks."""
+        best = level.best
+        plans, leaves = self._plans(best)
+        ours = self.np.flatnonzero(plans == plan)
+        if not len(ours):
+            return None
+        top = best.weight[ours].max()
+        names, observed = [leaf[0] for leaf in self.plans[plan].leaves], [one.action for one in seen]
+        return min(
+            first_marks(names, observed, int(leaves[at]), int(best.marked[at]))
+            for at in ours.tolist() if best.weight[at] == top
+        )  # fmt: skip
 
     def ends(self, level: Level) -> Iterator[tuple[Parts, float]]:
         """By leaf and number of marks, best first."""

@@ -112,4 +112,4 @@ class Ties:
         same = (low == low[first]) & (high == high[first])
         plans = (int(plan[first]),) if second[first] < 0 else (int(plan[first]), int(second[first]))
         rivals, every = exactly(np, number[~same]), exactly(np, number)
-        return Leading(float(top), plans, int(missed[same].min()), rivals, every)
+        return float(top), plans, int(missed[same].min()), rivals, every

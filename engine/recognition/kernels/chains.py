@@ -14,7 +14,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeAlias
 
-from casper.engine.recognition.kernels.kernel import Kernel, Leading, Parts, Plans, Top
+from casper.engine.recognition.kernels.kernel import Kernel, Leading, Marks, Parts, Plans, Top
+from casper.engine.recognition.kernels.marks import leftmost
 from casper.engine.recognition.kernels.states import positions_of
 from casper.engine.verification.matching import Matcher
 from casper.engine.verification.observation import Seen
@@ -148,9 +149,13 @@ class Chains(Kernel[Level]):
     def _tops(self, level: Level) -> list[Top]:
         k, squares, priors, plans = level[0], self._squares, self.priors, self.plans
         return [
-            Top(priors[plan] * (k * (left + k) / squares[plan]), (plan,), len(plans[plan].leaves) - left - k, ties)
+            (priors[plan] * (k * (left + k) / squares[plan]), (plan,), len(plans[plan].leaves) - left - k, ties)
             for plan, _, _, left, ties in level[3]
         ]
+
+    def first_marks(self, level: Level, plan: int, seen: Sequence[Seen]) -> Marks:
+        """Every observation is the first leaf that it can be."""
+        return leftmost(self.plans[plan], seen)
 
     def ends(self, level: Level) -> Iterator[tuple[Parts, float]]:
         """By leaf of the last name."""

@@ -21,7 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from casper.engine.recognition.kernels.kernel import Leading, Parts, Path, Plans, Top
+from casper.engine.recognition.kernels.kernel import Leading, Parts, Path, Plans
 from casper.engine.recognition.kernels.levels import Level, Levels
 from casper.engine.recognition.kernels.paths import best_first
 from casper.engine.recognition.kernels.states import State, split, successors
@@ -84,7 +84,7 @@ class Counting(Levels):
         """The best explanation and its rivals."""
         weights = level.weights
         return self.leading_of([
-            Top(weight, (plan,), state[3], level.counts[plan][state] if weights is None else weights[plan][state][2])
+            (weight, (plan,), state[3], level.counts[plan][state] if weights is None else weights[plan][state][2])
             for weight, plan, state in self.groups(level)
         ])  # fmt: skip
 

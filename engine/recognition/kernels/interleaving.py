@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from casper.engine.recognition.kernels.hypotheses import Hypotheses, Hypothesis, Level, Mark, Part, Step
-from casper.engine.recognition.kernels.kernel import NEEDLESS, Leading, Parts, Path, Plans, Top
+from casper.engine.recognition.kernels.kernel import NEEDLESS, Leading, Parts, Path, Plans
 from casper.engine.recognition.kernels.paths import best_first
 from casper.engine.recognition.scoring import least_tie
 
@@ -96,7 +96,7 @@ class Interleaving(Hypotheses):
         least = least_tie(max(found, key=_first)[0])
         numbers = level.counts if weights is None else {h: weight[2] for h, weight in weights.items()}
         return self.leading_of([
-            Top(weight, plans_of(h[0]), sum([state[3] for _, state in h[0]]), numbers[h])
+            (weight, plans_of(h[0]), sum([state[3] for _, state in h[0]]), numbers[h])
             for weight, h in found if weight >= least
         ])  # fmt: skip
 

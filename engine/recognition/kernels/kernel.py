@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Generic, NamedTuple, TypeAlias, TypeVar
 
 from casper.engine.recognition.scoring import Score, least_tie, paper, posterior_by
@@ -20,31 +19,18 @@ from casper.plans.trees.plan import Plan
 L = TypeVar("L")
 Plans: TypeAlias = tuple[int, ...]  # the plans pursued, one for each goal, in the order of the library
 Parts: TypeAlias = tuple[tuple[int, int, Binding], ...]  # per plan pursued: plan, mask of closed leaves, binding
+Marks: TypeAlias = tuple[int, ...]  # a leaf for every observation, or NEEDLESS
 NEEDLESS = -1  # the mark of an observation that was taken for no leaf
 
 
-class Top(NamedTuple):
-    """So many explanations that weigh the same, and of the same plans nothing that ends there weighs more."""
-
-    weight: float
-    plans: Plans
-    missed: int
-    number: int
+Top: TypeAlias = tuple[float, Plans, int, int]
+"""The best explanations that end somewhere: what each weighs, their plans, how many leaves they miss, their number."""
+Leading: TypeAlias = tuple[float, Plans, int, int, int]
+"""The best explanation, by weight and then by plans: what it weighs, its plans, the fewest leaves that one of its
+goals' misses, explanations of other goals that tie with it, and all that do, itself among them."""
 
 
-class Leading(NamedTuple):
-    """The best explanation, by weight and then by plans: what it weighs, its plans, the fewest leaves that one of its
-    goals' misses, explanations of other goals that tie with it, and all that do, itself among them."""
-
-    weight: float
-    plans: Plans
-    missed: int
-    rivals: int
-    ties: int
-
-
-@dataclass(frozen=True, slots=True)
-class Path:
+class Path(NamedTuple):
     """One explanation: per plan pursued its marked leaves and binding, and the observations that are needless.
 
     ``size`` and ``missed`` count leaves of all its plans; ``likelihood`` is that of what it takes the observations for.
@@ -155,8 +141,14 @@ class Kernel(ABC, Generic[L]):
         unknown = self.matcher.initial(plan)
         return (None,) * len(unknown) if isinstance(unknown, tuple) else ()
 
+    def first_marks(self, level: L, plan: int, seen: Sequence[Seen]) -> Marks | None:
+        """The first of a plan's best explanations, where it can be had without listing any."""
+        return None
+
     def goals_of(self, plans: Plans) -> tuple[str, ...]:
         """The labels of the goals that the plans pursue, in the order of the library."""
+        if len(plans) == 1:
+            return (self.labels[plans[0]],)
         return tuple(sorted([self.labels[plan] for plan in plans], key=self.index.__getitem__))
 
     def leading_of(self, tops: Sequence[Top]) -> Leading | None:
@@ -166,11 +158,13 @@ class Kernel(ABC, Generic[L]):
         weight = max(tops)[0]
         least = least_tie(weight)
         equal = [top for top in tops if top[0] >= least]
+        if len(equal) == 1:
+            return weight, equal[0][1], equal[0][2], 0, equal[0][3]
         plans = min([top[1] for top in equal if top[0] == weight])
         goals = self.goals_of(plans)
         same = [top for top in equal if top[1] == plans or self.goals_of(top[1]) == goals]
         ties, ours = sum([top[3] for top in equal]), sum([top[3] for top in same])
-        return Leading(weight, plans, min([top[2] for top in same]), ties - ours, ties)
+        return weight, plans, min([top[2] for top in same]), ties - ours, ties
 
 
 class Listing(Kernel[L]):
