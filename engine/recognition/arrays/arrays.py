@@ -17,7 +17,7 @@ from threading import Lock
 from typing import Any
 
 from casper.engine.recognition.arrays.leaves import leaves_by_name
-from casper.engine.recognition.arrays.shared import Array, OnArrays, Ties, exactly
+from casper.engine.recognition.arrays.shared import EXACT_LEAVES, Array, OnArrays, Ties, exactly
 from casper.engine.recognition.kernels.kernel import Leading, Marks, Parts, Plans
 from casper.engine.recognition.kernels.marks import leftmost
 from casper.engine.recognition.scoring import least_tie
@@ -25,7 +25,6 @@ from casper.engine.verification.matching import Matcher
 from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
 
-EXACT_LEAVES = 66  # C(66, 33) < 2**63
 KEPT = 24
 
 

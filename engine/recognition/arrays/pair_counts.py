@@ -6,9 +6,6 @@ by the name `BEGIN`. An observation of o adds to the rows and the columns of o, 
 shares all others with the level before. What it adds to a row, D_q[x, :], is the sum of the rows T_{q-1}[x', :] left of
 x in x's plan: per plan one running sum, that goes on from one leaf of the name to the next.
 
-Where nothing may be needless every explanation marks all observations: only one q is kept, and of the blocks only the
-rows and columns of the last name; all others are zero.
-
 Where i of the q marked observations are steps of the first plan there are C(k, q) C(q, i) C(n_p, i) C(n_q, q - i) ways
 at most, if all leaves have one name. Libraries of several names come to far less; so each observation takes the
 narrowest integers that hold (2 n + 1) times the largest count so far, n being the most leaves of a plan: D sums up to n
@@ -18,51 +15,25 @@ rows, and T gets D and its transpose. Above 64 bits they are Python's.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from casper.engine.recognition.arrays.pair_states import BEGIN, Named, States
+from casper.engine.recognition.arrays.pair_states import BEGIN, Ends, Named, States, no_ends, wide
 from casper.engine.recognition.arrays.shared import Array
 
 Blocks: TypeAlias = Mapping[tuple[str, str], Array]  # shapes (states of a, marked observations, states of b)
-
-
-@dataclass(frozen=True, slots=True)
-class Ends:
-    """Where explanations of two goals end. Shapes: (ends,)."""
-
-    x: Array  # state of one plan
-    y: Array  # of the other
-    marked: Array  # observations
-    number: Array  # explanations
-
-    def where(self, which: Array) -> Ends:
-        """Some of them."""
-        return Ends(self.x[which], self.y[which], self.marked[which], self.number[which])
-
-    @staticmethod
-    def joined(np: Any, parts: Sequence[Ends]) -> Ends:
-        """All of them."""
-        return Ends(*(np.concatenate([getattr(part, name) for part in parts]) for name in Ends.__slots__))
-
-
-def no_ends(np: Any) -> Ends:
-    """None."""
-    none = np.zeros(0, np.int64)
-    return Ends(none, none, none, none.astype(np.uint64))
 
 
 class PairCounts:
     """T after some observations; never changed once made.
 
     Memory: an observation keeps its rows and columns, two numbers for each of its states, each state seen so far and
-    each number of marked observations that is kept; all else is shared with the level before.
+    each number of marked observations; all else is shared with the level before.
     """
 
-    __slots__ = ("_differ", "_noisy", "_np", "_states", "blocks", "largest", "marked", "seen")
+    __slots__ = ("_differ", "_np", "_states", "blocks", "largest", "marked", "seen")
 
-    def __init__(self, np: Any, states: States, differ: Array, noisy: bool) -> None:
-        self._np, self._states, self._noisy = np, states, noisy
+    def __init__(self, np: Any, states: States, differ: Array) -> None:
+        self._np, self._states = np, states
         self._differ = differ  # whether two plans have different goals. Shape (plans, plans)
         self.blocks: Blocks = {}
         self.seen: tuple[str, ...] = ()  # names, in the order of their first observation
@@ -76,13 +47,13 @@ class PairCounts:
     def moved(self, name: str) -> tuple[PairCounts, Array, Array]:
         """What follows on an observation: T, its rows of the name, and D, both without the beginnings.
 
-        Shape of these: (states of the name, marked observations that are kept, `columns` of what follows).
+        Shape of these: (states of the name, marked observations from 1, `columns` of what follows).
         """
-        after = PairCounts(self._np, self._states, self._differ, self._noisy)
+        after = PairCounts(self._np, self._states, self._differ)
         after.seen = self.seen if name in self.seen else (*self.seen, name)
         added, parts = self._added(name, after.seen)
         counts = added.copy()
-        after.marked = max(self.marked, added.shape[1]) if self._noisy else self.marked + 1
+        after.marked = max(self.marked, added.shape[1])
         after.blocks = self._written(name, counts, parts)
         after.largest = max(self.largest, int(counts.max()))
         begins = parts[BEGIN].stop
@@ -93,7 +64,7 @@ class PairCounts:
         here, parts, end = self._states.named[name], dict[str, slice](), 0
         for other in (BEGIN, *seen):
             parts[other] = slice(end, end := end + len(self._states.named[other].at))
-        found = self._np.empty((len(here.at), self.marked + 1 if self._noisy else 1, end), self._kind())
+        found = self._np.empty((len(here.at), self.marked + 1, end), self._kind())
         for other, part in parts.items():
             self._sum(here, other, found[:, :, part])
         least = max((block.shape[1] for (row, _), block in self.blocks.items() if row == name), default=1)
@@ -106,13 +77,11 @@ class PairCounts:
         """Into ``found``: per leaf of a name the sums over what lies left of it in its plan, by state of the other."""
         blocks = {name: self.blocks[name, other] for name in (BEGIN, *self.seen) if (name, other) in self.blocks}
         begin = blocks.get(BEGIN)
-        is_first = self._noisy or not self.marked  # of the marked observations
-        found[:, 0] = self._differ[self._states.plan[here.at]] if other == BEGIN and is_first else 0
-        layers = found[:, 1:] if is_first else found
+        found[:, 0] = self._differ[self._states.plan[here.at]] if other == BEGIN else 0
         for step in here.steps:
-            sums = layers[step.row]
+            sums = found[step.row, 1:]
             if step.before >= 0:
-                sums[:] = layers[step.before]
+                sums[:] = found[step.before, 1:]
             else:
                 sums[:] = 0
                 if begin is not None:
@@ -128,10 +97,10 @@ class PairCounts:
         own += own.transpose(2, 1, 0).copy()
         for other, part in parts.items():
             earlier = self.blocks.get((name, other))
-            if earlier is not None and self._noisy:
+            if earlier is not None:
                 counts[:, : earlier.shape[1], part] += earlier
         turned = self._np.ascontiguousarray(counts.transpose(2, 1, 0))
-        blocks = dict(self.blocks) if self._noisy else {}
+        blocks = dict(self.blocks)
         for other, part in parts.items():
             blocks[other, name] = turned[part]
             blocks[name, other] = counts[:, :, part]
@@ -145,32 +114,21 @@ class PairCounts:
         twice = np.flatnonzero(code[columns] == code[here[0]])
         marked[:, twice] *= plan[here][:, None] < plan[columns[twice]]
         row, column = np.nonzero(marked)
-        layer = marked[row, column].astype(np.int64) if self._noisy else np.zeros(len(row), np.int64)
-        return Ends(here[row], columns[column], self._marks(layer), wide(np, rows[row, layer, column]))
-
-    def _marks(self, layer: Array) -> Array:
-        """How many observations are marked where counts stand in these layers."""
-        return layer + (1 if self._noisy else self.marked)
+        most = marked[row, column].astype(np.int64)
+        return Ends(here[row], columns[column], most + 1, wide(np, rows[row, most, column]))
 
     def ends(self) -> Ends:
         """All ends of explanations of two goals."""
         np, states, found = self._np, self._states, [no_ends(self._np)]
         for at, name in enumerate(self.seen):
             for other in self.seen[: at + 1]:
-                block = self.blocks.get((name, other))
-                if block is None:
-                    continue
+                block = self.blocks[name, other]
                 row, marked, column = np.nonzero(block)
                 number = wide(np, block[row, marked, column])
-                ends = Ends(states.named[name].at[row], states.named[other].at[column], self._marks(marked), number)
+                ends = Ends(states.named[name].at[row], states.named[other].at[column], marked + 1, number)
                 found.append(ends if name != other else ends.where(states.plan[ends.x] < states.plan[ends.y]))
         return Ends.joined(np, found)
 
     def _kind(self) -> str:
         largest = self.largest * (2 * self._states.longest + 1)
         return next((f"u{size}" for size in (2, 4, 8) if largest < 1 << 8 * size), "O")
-
-
-def wide(np: Any, counts: Array) -> Array:
-    """Unsigned, and wide enough to be joined with any others."""
-    return counts if counts.dtype == object else counts.astype(np.uint64)

@@ -15,6 +15,36 @@ BEGIN = ""  # no action's name
 
 
 @dataclass(frozen=True, slots=True)
+class Ends:
+    """Where explanations of two goals end. Shapes: (ends,)."""
+
+    x: Array  # state of one plan
+    y: Array  # of the other
+    marked: Array  # observations
+    number: Array  # explanations
+
+    def where(self, which: Array) -> Ends:
+        """Some of them."""
+        return Ends(self.x[which], self.y[which], self.marked[which], self.number[which])
+
+    @staticmethod
+    def joined(np: Any, parts: Sequence[Ends]) -> Ends:
+        """All of them."""
+        return Ends(*(np.concatenate([getattr(part, name) for part in parts]) for name in Ends.__slots__))
+
+
+def no_ends(np: Any) -> Ends:
+    """None."""
+    none = np.zeros(0, np.int64)
+    return Ends(none, none, none, none.astype(np.uint64))
+
+
+def wide(np: Any, counts: Array) -> Array:
+    """Unsigned, and wide enough to be joined with any others."""
+    return counts if counts.dtype == object else counts.astype(np.uint64)
+
+
+@dataclass(frozen=True, slots=True)
 class Step:
     """A leaf of a name, and what lies left of it in its plan, as far as the leaf of the name before it."""
 
@@ -33,7 +63,7 @@ class Named:
 
 
 class States:
-    """All states, by names. Shapes: (states,)."""
+    """All states: the leaves plan after plan, then the beginnings. Shapes: (states,), ``first`` (plans,)."""
 
     def __init__(self, np: Any, plans: Sequence[Plan]) -> None:
         rows: dict[str, list[tuple[int, int]]] = {BEGIN: [(plan, -1) for plan in range(len(plans))]}
@@ -42,14 +72,18 @@ class States:
             for step, name, leaf in _steps(number, plan, {name: len(found) for name, found in rows.items()}):
                 steps.setdefault(name, []).append(step)
                 rows.setdefault(name, []).append((number, leaf))
-        found = np.array([state for name in rows for state in rows[name]])
         self.lengths = np.array([len(plan.leaves) for plan in plans])
-        self.longest = int(self.lengths.max())
-        self.plan, self.closed = found[:, 0], found[:, 1] + 1
+        self.leaves, self.longest = int(self.lengths.sum()), int(self.lengths.max())
+        self.first = np.cumsum(self.lengths) - self.lengths  # of each plan's leaves
+        begun = np.arange(self.leaves) - np.repeat(self.first, self.lengths) + 1
+        self.plan = np.concatenate((np.repeat(np.arange(len(plans)), self.lengths), np.arange(len(plans))))
+        self.closed = np.concatenate((begun, np.zeros(len(plans), np.int64)))
         self.right = self.lengths[self.plan] - self.closed
-        self.code = np.repeat(np.arange(len(rows)), [len(states) for states in rows.values()])
-        at = np.split(np.arange(len(found)), np.flatnonzero(np.diff(self.code)) + 1)
-        self.named = {name: Named(part, steps.get(name, [])) for name, part in zip(rows, at)}
+        self.code, self.named = np.zeros(len(self.plan), np.int64), dict[str, Named]()  # code: the name, as a number
+        for code, (name, states) in enumerate(rows.items()):
+            plan, leaf = np.array(states).T
+            at = np.where(leaf < 0, self.leaves + plan, self.first[plan] + leaf)
+            self.named[name], self.code[at] = Named(at, steps.get(name, [])), code
 
 
 def _steps(number: int, plan: Plan, sizes: Mapping[str, int]) -> Iterator[tuple[Step, str, int]]:

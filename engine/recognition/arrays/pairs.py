@@ -16,7 +16,7 @@ best mark most, and what is best can only change in the rows of o; the ends clos
 observation to the next, since an end that is left behind can only catch up by a mark. Among them floats decide,
 computed as `interleaving` does, which is the specification. Counts, the best weight and ties are exact, sums of
 scores agree to a relative 1e-12. Where nothing may be needless T' is D + D^T, as if needless observations cost
-everything: noise is 0. `pair_counts` does the sums, `arrays` and `noisy_arrays` explanations of one goal.
+everything: noise is 0. `pair_counts` or `last_pairs` does the sums, `noisy_arrays` or `arrays` those of one goal.
 """
 
 from __future__ import annotations
@@ -26,9 +26,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from casper.engine.recognition.arrays.arrays import Arrays
+from casper.engine.recognition.arrays.last_pairs import LastPairs
 from casper.engine.recognition.arrays.noisy_arrays import CLOSE, NoisyArrays
-from casper.engine.recognition.arrays.pair_counts import Ends, PairCounts, no_ends, wide
-from casper.engine.recognition.arrays.pair_states import States
+from casper.engine.recognition.arrays.pair_counts import PairCounts
+from casper.engine.recognition.arrays.pair_states import Ends, States, no_ends, wide
 from casper.engine.recognition.arrays.shared import Array, OnArrays, Prices, Ties, exactly
 from casper.engine.recognition.kernels.kernel import Leading, Parts, Plans
 from casper.engine.verification.matching import Matcher
@@ -42,7 +43,7 @@ class Level:
 
     k: int
     alone: Any  # the level of explanations of one goal
-    counts: PairCounts
+    counts: PairCounts | LastPairs
     count: int  # explanations of two goals
     most: int  # observations that an explanation marks, of one goal or two
     mass: Array  # shape (plans, plans): by the plan that moved last, and the other
@@ -69,7 +70,8 @@ class Pairs(OnArrays[Level]):
 
     def begin(self) -> Level:
         """Nothing is marked."""
-        counts = PairCounts(self.np, self._states, self.goal[:, None] != self.goal, self.noise is not None)
+        kind = LastPairs if self.noise is None else PairCounts
+        counts = kind(self.np, self._states, self.goal[:, None] != self.goal)
         return Level(0, self.single.begin(), counts, 0, 0, self.np.zeros(self._square.shape), no_ends(self.np))
 
     def advance(self, level: Level, seen: Seen, matcher: Matcher) -> Level:
@@ -88,13 +90,32 @@ class Pairs(OnArrays[Level]):
 
     def _mass(self, here: Array, columns: Array, added: Array, most: int) -> Array:
         """Sums of scores by pair of plans, of what was added. Shape of that: (here, marked, columns)."""
-        np, states, plans = self.np, self._states, len(self.plans)
+        np, states = self.np, self._states
         q = np.arange(1, added.shape[1] + 1) if self.noise is not None else np.array([most])
         price = self._prices.of(q, most)
-        sums = np.stack((price * q, price * q * q)) @ added.astype(float)
-        scores = sums[:, 0] * np.add.outer(states.right[here], states.right[columns]) + sums[:, 1]
-        pair = np.add.outer(states.plan[here] * plans, states.plan[columns])
-        found: Array = np.bincount(pair.ravel(), scores.ravel(), plans * plans).reshape(plans, plans) / self._square
+        if len(q) == 1:
+            once = added[:, 0] * float(price[0] * q[0])
+            number = self._by_plan(once, columns)
+            once *= states.right[columns] + q[0]  # in place: these arrays are the largest there are
+        else:
+            once, twice = (np.stack((price * q, price * q * q)) @ added.astype(float)).transpose(1, 0, 2)
+            number = self._by_plan(once, columns)
+            once = once * states.right[columns] + twice
+        rests = self._by_plan(once, columns) + number * states.right[here][:, None]
+        own, first = np.unique(states.plan[here], return_index=True)
+        found: Array = np.zeros(self._square.shape)
+        found[own] = np.add.reduceat(rests, first, axis=0) / self._square[own]
+        return found
+
+    def _by_plan(self, numbers: Array, columns: Array) -> Array:
+        """Sums over the columns of each plan. Shapes: (rows, columns) -> (rows, plans)."""
+        np, plan = self.np, self._states.plan[columns]
+        if (plan[1:] < plan[:-1]).any():
+            order = np.argsort(plan, kind="stable")
+            numbers, plan = numbers[:, order], plan[order]
+        own, first = np.unique(plan, return_index=True)
+        found = np.zeros((len(numbers), len(self.plans)))
+        found[:, own] = np.add.reduceat(numbers, first, axis=1)
         return found
 
     def _weights(self, ends: Ends, most: int) -> Array:

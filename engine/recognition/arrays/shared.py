@@ -12,6 +12,7 @@ from casper.engine.verification.matching import Matcher
 from casper.plans.trees.plan import Plan
 
 Array: TypeAlias = Any  # numpy.ndarray; numpy is imported when the first large library is read
+EXACT_LEAVES = 66  # C(66, 33) < 2**63
 L = TypeVar("L")
 
 
@@ -82,6 +83,8 @@ def exactly(np: Any, counts: Array) -> int:
         return int(counts.sum())
     if counts.dtype.itemsize < 8:
         return int(counts.sum(dtype=np.uint64))
+    if counts.sum(dtype=float) < 1 << 62:
+        return int(counts.sum())
     return (int((counts >> 32).sum()) << 32) + int((counts & 0xFFFFFFFF).sum())
 
 
