@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from casper.cli.output import console
+from casper.cli.terminal.output import console
 from casper.engine.domain.domain import Domain
 from casper.engine.domain.reload import carried_over, reloaded
 from casper.kb.errors import BudgetExceeded, CasperError
@@ -149,7 +149,7 @@ class Session:
         self._say(f"{shares}; outcome: {self.reading.outcome or 'undecided'}")
 
     def _explain(self, rest: str) -> None:
-        from casper.cli.explain import show
+        from casper.cli.asking.explain import show
 
         if self.reading.observations:
             show(self.reading, 3)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
@@ -27,9 +27,9 @@ def run(
     as_json: AsJson = False,
 ) -> None:
     """Simulate a partner in the domain's room, read their goal, and do the robot's part."""
-    from casper.cli.extras import needs
-    from casper.cli.output import console, print_json
-    from casper.cli.timeline import Timeline
+    from casper.cli.terminal.extras import needs
+    from casper.cli.terminal.output import console, print_json
+    from casper.cli.watching.timeline import Timeline
     from casper.engine.domain.domain import Domain
 
     loaded = Domain.load(domain)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from casper.cli.options import AsJson, DomainName
+from casper.cli.terminal.options import AsJson, DomainName
 
 if TYPE_CHECKING:
     from casper.kb.base import KnowledgeBase
@@ -19,7 +19,7 @@ def verify(
     as_json: AsJson = False,
 ) -> None:
     """Judge statements, each with its proof, or with the reasons against it and what would mend it."""
-    from casper.cli.output import print_json
+    from casper.cli.terminal.output import print_json
     from casper.engine.domain.domain import Domain
     from casper.kb.errors import DomainError
 
@@ -52,7 +52,7 @@ def _json(text: str, verdict: Verdict, kb: KnowledgeBase) -> dict[str, Any]:
 def _show(verdict: Verdict, kb: KnowledgeBase) -> None:
     from rich.markup import escape
 
-    from casper.cli.output import console
+    from casper.cli.terminal.output import console
     from casper.kb.terms.syntax import term_text
     from casper.kb.terms.terms import as_term
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
 
 if TYPE_CHECKING:
     from casper.engine.reading.reading import Reading
@@ -30,7 +30,7 @@ def explain(
     as_json: AsJson = False,
 ) -> None:
     """Explain observed actions: after each one, the goals, the best explanations, and why the others are out."""
-    from casper.cli.output import print_json
+    from casper.cli.terminal.output import print_json
     from casper.engine.domain.domain import Domain
 
     reading = Domain.load(domain).reading(policy, verification=not no_verification, noise=noise, goals=goals)
@@ -51,7 +51,7 @@ def show(reading: Reading, top: int, questions: int = 0) -> None:
     """Print a reading for a person: shares as bars, the best explanations as marked trees, what to ask."""
     from rich.markup import escape
 
-    from casper.cli.output import bar, console
+    from casper.cli.terminal.output import bar, console
     from casper.kb.terms.syntax import term_text
     from casper.kb.terms.terms import as_term
     from casper.plans.trees.tree import tree_text

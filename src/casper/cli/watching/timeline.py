@@ -8,7 +8,7 @@ from typing import Any
 from rich.console import Console
 from rich.markup import escape
 
-from casper.cli.output import bar
+from casper.cli.terminal.output import bar
 from casper.engine.events import Event
 
 _MOVEMENT_STYLE = {"still": "dim", "walk": "blue", "transport": "magenta", "pick": "yellow", "place": "yellow"}

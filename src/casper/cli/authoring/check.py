@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from casper.cli.options import AsJson, DomainName
+from casper.cli.terminal.options import AsJson, DomainName
 
 if TYPE_CHECKING:
     from casper.kb.checks.finding import Finding
@@ -21,7 +21,7 @@ def check(domain: DomainName, as_json: AsJson = False) -> None:
 
     Exit code 0 without errors (there may be warnings and notes), 1 with errors, 2 when there is no such domain.
     """
-    from casper.cli.output import print_json
+    from casper.cli.terminal.output import print_json
     from casper.engine.domain.check import check_domain
     from casper.kb.checks.finding import Severity
 
@@ -47,7 +47,7 @@ def _path(file: str) -> str:
 def _show(findings: Sequence[Finding]) -> None:
     from rich.markup import escape
 
-    from casper.cli.output import console
+    from casper.cli.terminal.output import console
 
     out = console()
     for finding in findings:

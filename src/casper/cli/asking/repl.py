@@ -8,10 +8,10 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from casper.cli.options import DomainName
+from casper.cli.terminal.options import DomainName
 
 if TYPE_CHECKING:
-    from casper.cli.session import Session
+    from casper.cli.asking.session import Session
 
 HISTORY = Path("~/.casper_history")
 _PROMPT = "?- "
@@ -23,7 +23,7 @@ def repl(domain: DomainName) -> None:
 
     In a terminal there are a history and completion (Tab). Lines that come through a pipe are answered likewise.
     """
-    from casper.cli.session import Session
+    from casper.cli.asking.session import Session
     from casper.engine.domain.domain import Domain
 
     session = Session(Domain.load(domain))

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from casper.cli.options import AsJson, DomainName
+from casper.cli.terminal.options import AsJson, DomainName
 
 
 def query(
@@ -16,7 +16,7 @@ def query(
     as_json: AsJson = False,
 ) -> None:
     """Answer a question to a domain, whichever of its parts are known."""
-    from casper.cli.output import console, json_value, print_json
+    from casper.cli.terminal.output import console, json_value, print_json
     from casper.engine.domain.domain import Domain
     from casper.kb.terms.syntax import term_text
 

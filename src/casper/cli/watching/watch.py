@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.options import AsJson, DomainName, Goals, Noise, PolicyName, Stops, Unverified
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Stops, Unverified
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
@@ -26,8 +26,8 @@ def watch(
     as_json: AsJson = False,
 ) -> None:
     """Watch a partner through world states on standard input; a bad line is reported and left out."""
-    from casper.cli.output import console, print_json
-    from casper.cli.timeline import Timeline
+    from casper.cli.terminal.output import console, print_json
+    from casper.cli.watching.timeline import Timeline
     from casper.engine.domain.domain import Domain
     from casper.engine.mind import Mind
 
