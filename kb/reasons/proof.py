@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
+from casper.kb.text.lines import Line, line, one_line, text_of
 from casper.kb.text.writer import literal_text
 
 if TYPE_CHECKING:
@@ -56,8 +57,15 @@ class Proof:
                 seen.add(id(proof))
                 yield proof
 
+    def lines(self) -> Iterator[Line]:
+        """The proof as a tree: a condition a line, under it what it rests on."""
+        return (line(text) for text in _lines(self))
+
     def __str__(self) -> str:
-        return "\n".join(_lines(self))
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return one_line(f"Proof of {_line(self)}")
 
     def to_networkx(self) -> nx.DiGraph:
         """The proof as a graph: a node a condition (attributes ``text``, ``by``, ``place``), edges to its premises.
