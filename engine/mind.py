@@ -19,6 +19,7 @@ from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, perception_settings
 from casper.engine.perception.tracking import Tracker, tracker_settings
 from casper.engine.perception.world import WorldState
+from casper.engine.reading.printing import rejected_text
 from casper.engine.verification.observation import Observation
 from casper.engine.verification.verification import Statement, Verifier
 from casper.kb.errors import CasperError
@@ -128,7 +129,7 @@ class Mind:
         if self.reading.count == 0:
             reasons = self.reading.rejected
             self.reading.undo()
-            told = "; ".join(f"{goal}: {', '.join(why)}" for goal, why in reasons.items())
+            told = rejected_text(reasons)
             if self.stops:
                 raise CasperError(f"{observation} fits no plan any more ({told})")
             yield Event("warning", t, {"message": f"{observation} fits no plan any more and is left out ({told})"})

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from casper.kb.terms.clauses import Clause, Directive, Literal, Production, Sentence
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import as_term
+from casper.kb.terms.terms import Term, as_term
 
 
 def literal_text(literal: Literal) -> str:
@@ -27,6 +27,11 @@ def sentence_text(sentence: Sentence) -> str:
         case Directive(term):
             return f":- {term_text(as_term(term))}."
     raise TypeError(f"{sentence!r} is no sentence of the language")
+
+
+def answer_text(answer: Mapping[str, Term]) -> str:
+    """An answer to a query: ``T = meal, D = plate``; ``yes`` where nothing was asked for."""
+    return ", ".join(f"{name} = {term_text(value)}" for name, value in answer.items()) or "yes"
 
 
 def program_text(sentences: Iterable[Sentence]) -> str:

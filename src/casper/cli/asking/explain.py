@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
-
-if TYPE_CHECKING:
-    from casper.engine.reading.reading import Reading
 
 
 def explain(
@@ -30,7 +27,8 @@ def explain(
     as_json: AsJson = False,
 ) -> None:
     """Explain observed actions: after each one, the goals, the best explanations, and why the others are out."""
-    from casper.cli.terminal.output import print_json
+    from casper.cli.terminal.output import console, print_json
+    from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
 
     reading = Domain.load(domain).reading(policy, verification=not no_verification, noise=noise, goals=goals)
@@ -40,43 +38,8 @@ def explain(
             asked = {"questions": [q.to_json() for q in reading.questions()[:questions]]} if questions else {}
             print_json({**reading.to_json(top), **asked})
         else:
-            show(reading, top, questions)
+            show(console(), reading.lines(top, questions))
     if picture is not None:
         from casper.engine.explanation.pictures import save_picture
 
         save_picture([part for explanation in reading.best(max(top, 1)) for part in explanation.parts], picture)
-
-
-def show(reading: Reading, top: int, questions: int = 0) -> None:
-    """Print a reading for a person: shares as bars, the best explanations as marked trees, what to ask."""
-    from rich.markup import escape
-
-    from casper.cli.terminal.output import bar, console
-    from casper.kb.terms.syntax import term_text
-    from casper.kb.terms.terms import as_term
-    from casper.plans.trees.tree import tree_text
-
-    out = console()
-    out.rule(f"[bold]{escape(' → '.join(map(str, reading.observations)))}", align="left", style="dim")
-    best = reading.best(max(top, 1))
-    plural = "" if reading.count == 1 else "s"
-    least = "" if reading.is_exact else "at least "
-    out.print(f"{least}{reading.count} explanation{plural}, confidence {best[0].share if best else 0.0:.2f}")
-    for goal, share in reading.posterior.items():
-        reasons = "; ".join(reading.rejected.get(goal, ()))
-        note = f"  [dim]not this: {escape(reasons)}[/]" if reasons else ""
-        out.print(f"  {goal:<12} [cyan]{bar(share)}[/] {share:.2f}{note}")
-    verdict = f"[bold green]{escape(reading.outcome)}[/]" if reading.outcome else "undecided"
-    out.print(f"outcome: {verdict}")
-    for explanation in best[:top]:
-        out.print(f"[dim]score {explanation.score:.3f}, share {explanation.share:.2f}[/]")
-        for part in explanation.parts:
-            out.print(escape(tree_text(part.tree())))
-        if explanation.needless:
-            needless = ", ".join(str(reading.observations[at]) for at in explanation.needless)
-            out.print(f"needless: {escape(needless)}")
-    if best and best[0].frontier:
-        still = ", ".join(term_text(as_term(action)) for action in best[0].frontier)
-        out.print(f"yet to come: {escape(still)}")
-    for question in reading.questions()[:questions] if questions else ():
-        out.print(f"ask: {escape(str(question))} [dim]({question.gain:.2f} bits, yes {question.yes:.2f})[/]")
