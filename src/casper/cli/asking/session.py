@@ -13,7 +13,7 @@ from casper.engine.domain.reload import carried_over, reloaded
 from casper.engine.reading.printing import rejected_text, shares_text
 from casper.kb.errors import BudgetExceeded, CasperError
 from casper.kb.terms.clauses import Clause, Production
-from casper.kb.text.writer import answer_text, sentence_text
+from casper.kb.text.writer import answer_text, indicators_text, sentence_text
 
 if TYPE_CHECKING:
     from casper.engine.reading.reading import Reading
@@ -166,7 +166,7 @@ class Session:
 
     def _listing(self, wanted: str) -> None:
         if not wanted:
-            self._say(", ".join(f"{name}/{arity}" for name, arity in sorted(self._indicators())))
+            self._say(indicators_text(self._indicators()))
             return
         name, _, arity = wanted.partition("/")
         sentences: list[Clause | Production] = [*self.domain.kb.clauses, *self.domain.library.productions]

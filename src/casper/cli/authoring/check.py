@@ -13,8 +13,6 @@ from casper.cli.terminal.options import AsJson, DomainName
 if TYPE_CHECKING:
     from casper.kb.checks.finding import Finding
 
-_STYLE = {"error": "bold red", "warning": "yellow", "note": "cyan"}
-
 
 def check(domain: DomainName, as_json: AsJson = False) -> None:
     """Find mistakes in a domain: undefined names, rules that give nothing, plans nobody can do, and the like.
@@ -45,34 +43,12 @@ def _path(file: str) -> str:
 
 
 def _show(findings: Sequence[Finding]) -> None:
-    from rich.markup import escape
-
     from casper.cli.terminal.output import console
+    from casper.cli.terminal.showing import say, show
+    from casper.kb.checks.printing import excerpt_lines, finding_line, tally
 
     out = console()
     for finding in findings:
-        place, style = finding.place, _STYLE[finding.severity]
-        where = f"{_path(place.file)}:{place.line}" if place.line else _path(place.file)
-        out.print(f"{escape(where)}: [{style}]{finding.severity}[/]: {escape(finding.message)}")
-        for line in _excerpt(finding):
-            out.print(f"    {line}", style="dim", markup=False)
-    out.print(_tally(findings))
-
-
-def _excerpt(finding: Finding) -> list[str]:
-    """The line of the finding, with a caret under its column."""
-    place = finding.place
-    try:
-        lines = Path(place.file).read_text(encoding="utf-8").split("\n")
-    except (OSError, UnicodeDecodeError):
-        return []
-    if not 0 < place.line <= len(lines):
-        return []
-    shown = "".join(c if c.isprintable() else " " for c in lines[place.line - 1])
-    return [shown, " " * (place.column - 1) + "^"] if place.column else [shown]
-
-
-def _tally(findings: Sequence[Finding]) -> str:
-    counts = [(kind, sum(f.severity == kind for f in findings)) for kind in _STYLE]
-    told = [f"{count} {kind}{'s' if count != 1 else ''}" for kind, count in counts if count]
-    return ", ".join(told) or "nothing to find fault with"
+        place = finding.place
+        show(out, [finding_line(place, finding.severity, finding.message, _path(place.file)), *excerpt_lines(place)])
+    say(out, tally(finding.severity for finding in findings))
