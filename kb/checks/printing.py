@@ -15,7 +15,8 @@ _ROLES: dict[str, Role] = {"error": "error", "warning": "warning", "note": "note
 def finding_line(place: Place, severity: str, message: str, file: str | None = None) -> Line:
     """``file:line: severity: message``; ``file`` is what the file is called from where one is."""
     where = place.file if file is None else file
-    return line(f"{where}:{place.line}: " if place.line else f"{where}: ", Span(severity, _ROLES[severity]), f": {message}")
+    told = Span(severity, _ROLES[severity])
+    return line(f"{where}:{place.line}: " if place.line else f"{where}: ", told, f": {message}")
 
 
 def excerpt_lines(place: Place) -> Iterator[Line]:

@@ -24,10 +24,14 @@ STYLES: dict[Role, str] = {
     "carry": "magenta",
     "grasp": "yellow",
 }
+_CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), *range(127, 160)) if chr(code) not in "\n\t"}
 
 
 def show(out: Console, lines: Iterable[Line]) -> None:
-    """Print lines as they come, in colours where the terminal has them; no text is taken for markup."""
+    """Print lines as they come, in colours where the terminal has them.
+
+    No text is taken for markup, and no control character of a domain's text reaches the terminal: it is spelled out.
+    """
     for spans in lines:
         out.print(Text.assemble(*map(_styled, spans)))
 
@@ -38,4 +42,4 @@ def say(out: Console, text: str) -> None:
 
 
 def _styled(span: Span) -> tuple[str, str]:
-    return span.text, STYLES[span.role]
+    return span.text.translate(_CONTROLS), STYLES[span.role]
