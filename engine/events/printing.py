@@ -14,6 +14,7 @@ _MOVEMENTS: dict[str, Role] = {
     "still": "faint", "walk": "walk", "transport": "carry", "pick": "grasp", "place": "grasp",
 }  # fmt: skip
 _SHOWN_FOCUS = 2  # objects of a focus line
+MOST_GOALS = 30  # shown with their shares
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +26,32 @@ class Names:
 
 
 NAMES = Names()
+
+
+@dataclass(frozen=True, slots=True)
+class Shares:
+    """The goals that are shown with their shares, how wide their column is, and how many goals there are besides."""
+
+    shown: tuple[tuple[str, float], ...]
+    width: int
+    left_out: int
+
+    def rest(self) -> Iterator[Line]:
+        """A line about the goals that are not shown, if there are any."""
+        if self.left_out:
+            yield line(Span(f"  … and {self.left_out} goals that are no likelier", "faint"))
+
+
+def shares_table(posterior: Mapping[str, float], narrowest: int = 12) -> Shares:
+    """All goals in their order; of more than `MOST_GOALS` the likeliest, most likely first.
+
+    ``narrowest`` is the least width of the column of goals, with the space behind.
+    """
+    shown = list(posterior.items())
+    if len(shown) > MOST_GOALS:
+        shown = sorted(shown, key=lambda pair: -pair[1])[:MOST_GOALS]
+    width = max([narrowest, *(len(name) + 1 for name, _ in shown)])
+    return Shares(tuple(shown), width, len(posterior) - len(shown))
 
 
 def event_lines(kind: str, t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
@@ -64,10 +91,12 @@ def reading_lines(data: Data, told: Container[str] = ()) -> Iterator[Line]:
     plural = "" if data["explanations"] == 1 else "s"
     yield _under(Span(f"{data['explanations']} explanation{plural} of {len(data['observations'])} observed", "faint"))
     reasons = {entry["goal"]: entry["reasons"] for entry in data["rejected"]}
-    for goal, share in data["posterior"].items():
-        new = reasons.get(goal) and goal not in told
-        why = [Span(f"  not this: {reasons[goal][0]}", "faint")] if new else []
-        yield _under(f"  {goal:<12}", bar(share), f"{share:5.2f}", *why)
+    table = shares_table(data["posterior"])
+    for name, share in table.shown:
+        new = reasons.get(name) and name not in told
+        why = [Span(f"  not this: {reasons[name][0]}", "faint")] if new else []
+        yield _under(f"  {name:<{table.width}}", bar(share), f"{share:5.2f}", *why)
+    yield from (_under(*spans) for spans in table.rest())
 
 
 def prediction_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Protocol
 
+from casper.engine.events.printing import shares_table
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.reading.questions import Question
 from casper.kb.terms.syntax import term_text
@@ -12,8 +13,6 @@ from casper.kb.terms.terms import as_term
 from casper.kb.text.lines import Line, Span, bar, line, one_line
 
 WIDTH = 80  # of the rule behind what was observed
-MOST_GOALS = 30  # shown; of more the likeliest
-_NARROWEST = 12  # column of goals
 
 
 class Reads(Protocol):
@@ -77,7 +76,8 @@ def reading_name(reading: Reads) -> str:
     told = f"Reading of {seen} observation{'' if seen == 1 else 's'}"
     if not seen:
         return one_line(told)
-    likeliest = [f"{goal} {share:.2f}" for goal, share in _likeliest(reading.posterior, 3) if share > 0]
+    first = sorted(reading.posterior.items(), key=lambda pair: -pair[1])[:3]
+    likeliest = [f"{goal} {share:.2f}" for goal, share in first if share > 0]
     return one_line(f"{told}: {', '.join(likeliest) or 'no explanation'}")
 
 
@@ -94,7 +94,8 @@ def rejected_text(rejected: Mapping[str, Sequence[str]]) -> str:
 
 def _heading(observations: Sequence[object]) -> Line:
     shown = " → ".join(map(str, observations)) or "nothing observed"
-    return line(Span(shown, "strong"), " ", Span("─" * (WIDTH - 1 - len(shown)), "faint"))
+    rule = "─" * (WIDTH - 1 - len(shown))
+    return line(Span(shown, "strong"), Span(f" {rule}" if rule else "", "faint"))
 
 
 def _count(reading: Reads) -> str:
@@ -103,15 +104,9 @@ def _count(reading: Reads) -> str:
 
 
 def _goals(posterior: Mapping[str, float], rejected: Mapping[str, Sequence[str]]) -> Iterator[Line]:
-    shown = list(posterior.items()) if len(posterior) <= MOST_GOALS else _likeliest(posterior, MOST_GOALS)
-    width = max(_NARROWEST, *(len(goal) for goal, _ in shown)) if shown else _NARROWEST
-    for goal, share in shown:
+    table = shares_table(posterior, 13)
+    for goal, share in table.shown:
         reasons = "; ".join(rejected.get(goal, ()))
         note = [Span(f"  not this: {reasons}", "faint")] if reasons else []
-        yield line(f"  {goal:<{width}} ", bar(share), f" {share:.2f}", *note)
-    if len(posterior) > len(shown):
-        yield line(Span(f"  … and {len(posterior) - len(shown)} goals that are less likely", "faint"))
-
-
-def _likeliest(posterior: Mapping[str, float], most: int) -> list[tuple[str, float]]:
-    return sorted(posterior.items(), key=lambda pair: -pair[1])[:most]
+        yield line(f"  {goal:<{table.width}}", bar(share), f" {share:.2f}", *note)
+    yield from table.rest()

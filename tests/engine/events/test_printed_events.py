@@ -103,3 +103,11 @@ def test_a_timeline_tells_a_reason_once():
 
 def test_a_timeline_leaves_out_what_another_event_tells():
     assert timeline(ACTION, ASKED) == ["", ""]
+
+
+def test_of_many_goals_a_timeline_shows_the_likeliest_in_a_column_that_is_wide_enough():
+    posterior = {f"goal_number_{number}": number / 1000 for number in range(50)}
+    told = timeline(Event("reading", 1.0, {"explanations": 2, "observations": ["a"], "posterior": posterior, "rejected": []}))
+    lines = told[0].splitlines()
+    assert lines[1].startswith("          goal_number_49 ▌")
+    assert (len(lines), lines[-1]) == (32, "          … and 20 goals that are no likelier")
