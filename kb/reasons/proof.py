@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.kb.text.lines import Line, line, one_line, text_of
+from casper.kb.text.lines import one_line
 from casper.kb.text.writer import literal_text
 
 if TYPE_CHECKING:
@@ -57,12 +57,8 @@ class Proof:
                 seen.add(id(proof))
                 yield proof
 
-    def lines(self) -> Iterator[Line]:
-        """The proof as a tree: a condition a line, under it what it rests on."""
-        return (line(text) for text in _lines(self))
-
     def __str__(self) -> str:
-        return text_of(self.lines())
+        return "\n".join(_lines(self))
 
     def __repr__(self) -> str:
         return one_line(f"Proof of {_line(self)}")

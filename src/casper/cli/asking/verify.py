@@ -52,11 +52,11 @@ def _json(text: str, verdict: Verdict, kb: KnowledgeBase) -> dict[str, Any]:
 def _show(verdict: Verdict, kb: KnowledgeBase) -> None:
     from casper.cli.terminal.output import console
     from casper.cli.terminal.showing import show
-    from casper.kb.text.lines import indented, line
+    from casper.kb.text.lines import indented, line, lines_of
 
     out, proof = console(), kb.why(verdict.completed) if verdict.valid else None
     show(out, verdict.lines())
     if proof is not None:
-        show(out, indented(proof.lines()))
+        show(out, indented(lines_of(str(proof))))
     for repair in kb.repair(verdict.statement) if verdict.valid is False else []:
         show(out, [line(f"  it would be: {repair}")])
