@@ -29,4 +29,4 @@ def query(
         else:
             say(out, answer_text(answer))
     if not found and not as_json:
-        say(out, "no")
+        out.print("no")
