@@ -7,13 +7,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from threading import Lock
 from typing import Any
 
+from casper.engine.domain.printing import domain_lines, domain_name
 from casper.engine.explanation.situation import Situation
 from casper.engine.reading.policy import policy_named
 from casper.engine.reading.priors import priors_of
@@ -28,6 +29,7 @@ from casper.kb.program.refusals import undefined_sentence
 from casper.kb.terms.clauses import Clause, Production, Sentence
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import substitute
+from casper.kb.text.lines import Line, text_of
 from casper.kb.text.sources import Sources, fingerprint
 from casper.plans.library import GOAL, PlanLibrary
 from casper.plans.relations import RELATIONS, plan_clauses
@@ -69,6 +71,16 @@ class Domain:
         sentences = {file.name: sources.sentences(file) for file in possible if file.is_file()}
         files = tuple(dict.fromkeys(sources.files))
         return replace(build(folder.name, folder, sentences), files=files, fingerprint=fingerprint([*possible, *files]))
+
+    def lines(self) -> Iterator[Line]:
+        """What a person is shown."""
+        return domain_lines(self)
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return domain_name(self)
 
     @property
     def partner(self) -> str:

@@ -8,12 +8,14 @@ this module needs scikit-learn.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from casper.engine.movements.movements import HOLD, MOS, QTC, Features
+from casper.engine.movements.printing import evaluation_lines
 from casper.engine.settings import require
+from casper.kb.text.lines import Line, one_line, text_of
 
 QDC = ("touch", "near", "medium", "far", "ignore")
 ORDERS: tuple[tuple[str, ...], ...] = (MOS, HOLD, QDC, QTC)
@@ -69,6 +71,16 @@ class Evaluation:
     per_trial: Mapping[int, float]
     confusion: Mapping[str, Mapping[str, int]]
     labels: tuple[str, ...]
+
+    def lines(self) -> Iterator[Line]:
+        """What a person is shown."""
+        return evaluation_lines(self.accuracy, self.labels, self.confusion)
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return one_line(f"Evaluation: accuracy {self.accuracy:.3f} in {len(self.per_trial)} trials")
 
 
 def fit(samples: Sequence[Sample], max_leaf_nodes: int = 5, seed: int = 0) -> MovementTree:

@@ -16,6 +16,7 @@ from casper.engine.collaboration.collaboration import Capability, CollaborativeP
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.reading.outlook import Outlook
 from casper.engine.reading.policy import Policy, strict
+from casper.engine.reading.printing import reading_lines, reading_name
 from casper.engine.reading.questions import Question, questions
 from casper.engine.recognition.choice import recogniser
 from casper.engine.recognition.options import PAPER, Options
@@ -24,6 +25,7 @@ from casper.engine.verification.observation import Observed, Seen, options_of, s
 from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
+from casper.kb.text.lines import Line, text_of
 from casper.plans.library import PlanLibrary
 
 WEIGHABLE = 300  # observations up to which there are not too many explanations to be weighed
@@ -232,6 +234,16 @@ class Reading:
             "rejected": [{"goal": goal, "reasons": list(reasons)} for goal, reasons in self.rejected.items()],
             **bound,
         }
+
+    def lines(self, top: int = 3, asked: int = 0) -> Iterator[Line]:
+        """What a person is shown, with the best ``top`` explanations and as many questions as are ``asked`` for."""
+        return reading_lines(self, top, asked)
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return reading_name(self)
 
     # --- why not ---------------------------------------------------------------------------------------------------
 

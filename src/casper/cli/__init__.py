@@ -10,14 +10,14 @@ import sys
 
 import typer
 
-from casper.cli.check import check
-from casper.cli.explain import explain
-from casper.cli.query import query
-from casper.cli.repl import repl
-from casper.cli.run import run
-from casper.cli.train import train
-from casper.cli.verify import verify
-from casper.cli.watch import watch
+from casper.cli.asking.explain import explain
+from casper.cli.asking.query import query
+from casper.cli.asking.repl import repl
+from casper.cli.asking.verify import verify
+from casper.cli.authoring.check import check
+from casper.cli.authoring.train import train
+from casper.cli.watching.run import run
+from casper.cli.watching.watch import watch
 from casper.kb.errors import CasperError
 
 app = typer.Typer(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
+
+from casper.engine.events.printing import NAMES, Names, event_lines
+from casper.kb.text.lines import Line, one_line, text_of
 
 TYPES = (
     "focus",
@@ -33,5 +35,12 @@ class Event:
         """The design's object: ``{"type": …, "t": …, **data}``."""
         return {"type": self.type, "t": self.t, **self.data}
 
+    def lines(self, names: Names = NAMES) -> Iterator[Line]:
+        """What a person is shown."""
+        return event_lines(self.type, self.t, self.data, names)
+
     def __str__(self) -> str:
-        return json.dumps(self.to_json(), ensure_ascii=False)
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return one_line(f"Event {self.type} at {self.t:g} s")

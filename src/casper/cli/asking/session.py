@@ -6,13 +6,14 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from casper.cli.output import console
+from casper.cli.terminal.output import console
+from casper.cli.terminal.showing import say, show
 from casper.engine.domain.domain import Domain
 from casper.engine.domain.reload import carried_over, reloaded
+from casper.engine.reading.printing import rejected_text, shares_text
 from casper.kb.errors import BudgetExceeded, CasperError
 from casper.kb.terms.clauses import Clause, Production
-from casper.kb.terms.syntax import term_text
-from casper.kb.text.writer import sentence_text
+from casper.kb.text.writer import answer_text, indicators_text, sentence_text
 
 if TYPE_CHECKING:
     from casper.engine.reading.reading import Reading
@@ -95,7 +96,7 @@ class Session:
 
     def _answers(self, goal: str) -> Iterator[str]:
         for answer in self.domain.kb.query(goal):
-            yield ", ".join(f"{name} = {term_text(value)}" for name, value in answer.items()) or "yes"
+            yield answer_text(answer)
 
     def _next_page(self, rest: str) -> None:
         if self._more is None:
@@ -141,18 +142,15 @@ class Session:
     def _observe(self, action: str) -> None:
         self.reading.observe(action)
         if self.reading.count == 0:
-            reasons = "; ".join(f"{goal}: {', '.join(why)}" for goal, why in self.reading.rejected.items())
+            reasons = rejected_text(self.reading.rejected)
             self.reading.undo()
             self._say(f"{action} fits no plan and is left out ({reasons})")
             return
-        shares = ", ".join(f"{goal} {share:.2f}" for goal, share in self.reading.posterior.items())
-        self._say(f"{shares}; outcome: {self.reading.outcome or 'undecided'}")
+        self._say(shares_text(self.reading))
 
     def _explain(self, rest: str) -> None:
-        from casper.cli.explain import show
-
         if self.reading.observations:
-            show(self.reading, 3)
+            show(self.out, self.reading.lines())
         else:
             self._say("nothing was observed yet: observe an action")
 
@@ -168,7 +166,7 @@ class Session:
 
     def _listing(self, wanted: str) -> None:
         if not wanted:
-            self._say(", ".join(f"{name}/{arity}" for name, arity in sorted(self._indicators())))
+            self._say(indicators_text(self._indicators()))
             return
         name, _, arity = wanted.partition("/")
         sentences: list[Clause | Production] = [*self.domain.kb.clauses, *self.domain.library.productions]
@@ -195,7 +193,7 @@ class Session:
         self._say(HELP)
 
     def _say(self, text: str) -> None:
-        self.out.print(text, markup=False)
+        say(self.out, text)
 
 
 def _chained(first: str, rest: Iterator[str]) -> Iterator[str]:

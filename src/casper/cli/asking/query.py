@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from casper.cli.options import AsJson, DomainName
+from casper.cli.terminal.options import AsJson, DomainName
 
 
 def query(
@@ -16,9 +16,10 @@ def query(
     as_json: AsJson = False,
 ) -> None:
     """Answer a question to a domain, whichever of its parts are known."""
-    from casper.cli.output import console, json_value, print_json
+    from casper.cli.terminal.output import console, json_value, print_json
+    from casper.cli.terminal.showing import say
     from casper.engine.domain.domain import Domain
-    from casper.kb.terms.syntax import term_text
+    from casper.kb.text.writer import answer_text
 
     out, found = console(), False
     for answer in Domain.load(domain).kb.query(goal, limit):
@@ -26,7 +27,6 @@ def query(
         if as_json:
             print_json({name: json_value(value) for name, value in answer.items()})
         else:
-            shown = ", ".join(f"{name} = {term_text(value)}" for name, value in answer.items())
-            out.print(shown or "yes", markup=False)
+            say(out, answer_text(answer))
     if not found and not as_json:
         out.print("no")

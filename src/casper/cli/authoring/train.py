@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.options import AsJson, DomainName
+from casper.cli.terminal.options import AsJson, DomainName
 
 if TYPE_CHECKING:
     from casper.engine.movements.tree import Evaluation
@@ -22,8 +22,8 @@ def train(
     as_json: AsJson = False,
 ) -> None:
     """Learn which movement it is from qualitative relations, judged by leaving one trial out."""
-    from casper.cli.extras import needs
-    from casper.cli.output import print_json
+    from casper.cli.terminal.extras import needs
+    from casper.cli.terminal.output import print_json
     from casper.engine.domain.domain import Domain
     from casper.kb.errors import DomainError
 
@@ -58,16 +58,10 @@ def train(
 
 
 def _show(evaluation: Evaluation, samples: int, trials: int, file: Path) -> None:
-    from rich.table import Table
-
-    from casper.cli.output import console
+    from casper.cli.terminal.output import console
+    from casper.cli.terminal.showing import say, show
 
     out = console()
-    out.print(f"{samples} samples from {trials} trials")
-    out.print(f"leave-one-trial-out accuracy [bold]{evaluation.accuracy:.3f}[/]")
-    table = Table("true \\ taken for", *evaluation.labels, box=None, header_style="dim")
-    for true in evaluation.labels:
-        counts = (evaluation.confusion[true][seen] for seen in evaluation.labels)
-        table.add_row(true, *(str(count) if count else "·" for count in counts))
-    out.print(table)
-    out.print(f"written to {file}", markup=False)
+    say(out, f"{samples} samples from {trials} trials")
+    show(out, evaluation.lines())
+    say(out, f"written to {file}")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.options import AsJson, DomainName, Goals, Noise, PolicyName, Stops, Unverified
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Stops, Unverified
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
@@ -26,19 +26,20 @@ def watch(
     as_json: AsJson = False,
 ) -> None:
     """Watch a partner through world states on standard input; a bad line is reported and left out."""
-    from casper.cli.output import console, print_json
-    from casper.cli.timeline import Timeline
+    from casper.cli.terminal.output import console, print_json
+    from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
+    from casper.engine.events.timeline import Timeline
     from casper.engine.mind import Mind
 
     loaded = Domain.load(domain)
     mind = Mind(loaded, verification=not no_verification, policy=policy, noise=noise, goals=goals, stops=stop)
-    timeline = Timeline(console(), loaded.partner, loaded.robot)
+    out, timeline = console(), Timeline(loaded.partner, loaded.robot)
     for event in watched(mind, sys.stdin, reload):
         if as_json:
             print_json(event.to_json())
         else:
-            timeline.show(event)
+            show(out, timeline.lines(event))
 
 
 def watched(mind: Mind, lines: Iterable[str], reload: bool = False) -> Iterator[Event]:

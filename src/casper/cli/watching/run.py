@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
@@ -27,24 +27,25 @@ def run(
     as_json: AsJson = False,
 ) -> None:
     """Simulate a partner in the domain's room, read their goal, and do the robot's part."""
-    from casper.cli.extras import needs
-    from casper.cli.output import console, print_json
-    from casper.cli.timeline import Timeline
+    from casper.cli.terminal.extras import needs
+    from casper.cli.terminal.output import console, print_json
+    from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
+    from casper.engine.events.timeline import Timeline
 
     loaded = Domain.load(domain)
     needs("mujoco", "sim")
     from casper.sim_adapter.trial import Trial, TrialSettings
 
     trial = Trial(loaded, TrialSettings(goal, seed, not no_verification, not no_robot, policy, noise, goals))
-    timeline = Timeline(console(), loaded.partner, loaded.robot)
+    out, timeline = console(), Timeline(loaded.partner, loaded.robot)
     if not as_json:
-        timeline.open(loaded.name, seed)
+        show(out, timeline.open(loaded.name, seed))
     for event in _paced(trial.events(), speed):
         if as_json:
             print_json(event.to_json())
         else:
-            timeline.show(event)
+            show(out, timeline.lines(event))
 
 
 def _paced(events: Iterable[Event], speed: float) -> Iterator[Event]:

@@ -8,10 +8,10 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from casper.cli.options import DomainName
+from casper.cli.terminal.options import DomainName
 
 if TYPE_CHECKING:
-    from casper.cli.session import Session
+    from casper.cli.asking.session import Session
 
 HISTORY = Path("~/.casper_history")
 _PROMPT = "?- "
@@ -23,13 +23,14 @@ def repl(domain: DomainName) -> None:
 
     In a terminal there are a history and completion (Tab). Lines that come through a pipe are answered likewise.
     """
-    from casper.cli.session import Session
+    from casper.cli.asking.session import Session
+    from casper.cli.terminal.showing import say
     from casper.engine.domain.domain import Domain
 
     session = Session(Domain.load(domain))
     terminal = sys.stdin.isatty()
     if terminal:
-        session.out.print(f"{session.domain.name}: ask, or :help, or :quit", markup=False)
+        say(session.out, f"{session.domain.name}: ask, or :help, or :quit")
     for line in _typed(session) if terminal else sys.stdin:
         if line.strip() in (":quit", ":q", "halt."):
             return

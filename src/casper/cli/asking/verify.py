@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from casper.cli.options import AsJson, DomainName
+from casper.cli.terminal.options import AsJson, DomainName
 
 if TYPE_CHECKING:
     from casper.kb.base import KnowledgeBase
@@ -19,7 +19,7 @@ def verify(
     as_json: AsJson = False,
 ) -> None:
     """Judge statements, each with its proof, or with the reasons against it and what would mend it."""
-    from casper.cli.output import print_json
+    from casper.cli.terminal.output import print_json
     from casper.engine.domain.domain import Domain
     from casper.kb.errors import DomainError
 
@@ -50,22 +50,13 @@ def _json(text: str, verdict: Verdict, kb: KnowledgeBase) -> dict[str, Any]:
 
 
 def _show(verdict: Verdict, kb: KnowledgeBase) -> None:
-    from rich.markup import escape
+    from casper.cli.terminal.output import console
+    from casper.cli.terminal.showing import show
+    from casper.kb.text.lines import indented, line, lines_of
 
-    from casper.cli.output import console
-    from casper.kb.terms.syntax import term_text
-    from casper.kb.terms.terms import as_term
-
-    out, statement = console(), escape(term_text(as_term(verdict.statement)))
-    if verdict.valid:
-        out.print(f"[green]✔[/] {statement} is valid")
-        if verdict.completed != verdict.statement:
-            out.print(f"  so it is {escape(term_text(as_term(verdict.completed)))}")
-        out.print("\n".join(f"  {escape(line)}" for line in str(kb.why(verdict.completed)).splitlines()))
-        return
-    word = "is not valid" if verdict.valid is False else "is unknown"
-    out.print(f"[red]✘[/] {statement} {word}")
-    for reason in verdict.reasons:
-        out.print(f"  because {escape(reason)}")
+    out, proof = console(), kb.why(verdict.completed) if verdict.valid else None
+    show(out, verdict.lines())
+    if proof is not None:
+        show(out, indented(lines_of(str(proof))))
     for repair in kb.repair(verdict.statement) if verdict.valid is False else []:
-        out.print(f"  it would be: {escape(str(repair))}")
+        show(out, [line(f"  it would be: {repair}")])
