@@ -1,17 +1,22 @@
 """The command line. Every command but ``repl`` takes ``--json``: one JSON object a line, nothing else on the output.
 
-Exit codes: 0 done, 1 some statement is not valid (verify) or the domain has errors (check), 2 a mistake, told in one
-sentence on standard error.
+Exit codes: 0 done, 1 some statement is not valid (verify), there is no answer (query), or the domain has errors
+(check), 2 a mistake, told in one sentence on standard error.
 """
 
 from __future__ import annotations
 
+import os
 import sys
+from contextlib import suppress
+from typing import Annotated
 
 import typer
 
+from casper import __version__
 from casper.cli.check import check
 from casper.cli.explain import explain
+from casper.cli.output import settle_streams, visible
 from casper.cli.query import query
 from casper.cli.repl import repl
 from casper.cli.run import run
@@ -22,24 +27,50 @@ from casper.kb.errors import CasperError
 
 app = typer.Typer(
     name="casper",
-    help="Watch a partner, read the goal behind what they do, say why, and help.",
-    no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
+    rich_markup_mode=None,  # plain help: nothing is cut off in a narrow terminal, and no text is taken for markup
 )
 for command in (run, explain, verify, query, repl, watch, check, train):
-    app.command()(command)
+    app.command(short_help=(command.__doc__ or "").split("\n")[0])(command)  # a sentence in whole, not its beginning
+
+
+@app.callback(invoke_without_command=True)
+def casper(
+    context: typer.Context,
+    version: Annotated[bool, typer.Option("--version", help="Print the version and exit.")] = False,
+) -> None:
+    """Watch a partner, read the goal behind what they do, say why, and help."""
+    if version:
+        print(f"casper {__version__}")
+        raise typer.Exit()
+    if context.invoked_subcommand is None:
+        print(context.get_help())
 
 
 def main() -> None:
     """The ``casper`` command."""
+    settle_streams()
     try:
-        app()
+        try:
+            app()
+        finally:
+            sys.stdout.flush()
     except CasperError as mistake:
-        print(f"casper: {mistake}", file=sys.stderr)
+        print(f"casper: {visible(str(mistake))}", file=sys.stderr)
         sys.exit(2)
     except BrokenPipeError:  # the reader of a pipe has had enough, as in ``casper … | head``
         sys.stderr.close()
         sys.exit(0)
+    except OSError as mistake:  # such as a full disk behind the output
+        _give_up_output()
+        print(f"casper: cannot write the output ({mistake.strerror or mistake})", file=sys.stderr)
+        sys.exit(2)
     except KeyboardInterrupt:
         sys.exit(130)
+
+
+def _give_up_output() -> None:
+    """Let what is still to be written go nowhere, so that the end of the program does not try it again."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

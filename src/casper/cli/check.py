@@ -23,6 +23,7 @@ def check(domain: DomainName, as_json: AsJson = False) -> None:
     """
     from casper.cli.output import print_json
     from casper.engine.domain.check import check_domain
+    from casper.engine.domain.domain import SHIPPED, find_domain
     from casper.kb.checks.finding import Severity
 
     findings = check_domain(domain)
@@ -30,7 +31,7 @@ def check(domain: DomainName, as_json: AsJson = False) -> None:
         for finding in findings:
             print_json(_json(finding))
     else:
-        _show(findings)
+        _show(findings, (find_domain(domain), SHIPPED))
     raise typer.Exit(1 if any(f.severity is Severity.ERROR for f in findings) else 0)
 
 
@@ -44,27 +45,29 @@ def _path(file: str) -> str:
     return str(path.relative_to(here)) if path.is_relative_to(here) else file
 
 
-def _show(findings: Sequence[Finding]) -> None:
-    from rich.markup import escape
-
-    from casper.cli.output import console
+def _show(findings: Sequence[Finding], folders: Sequence[Path]) -> None:
+    from casper.cli.output import console, escape
 
     out = console()
     for finding in findings:
         place, style = finding.place, _STYLE[finding.severity]
         where = f"{_path(place.file)}:{place.line}" if place.line else _path(place.file)
         out.print(f"{escape(where)}: [{style}]{finding.severity}[/]: {escape(finding.message)}")
-        for line in _excerpt(finding):
+        for line in _excerpt(finding, folders):
             out.print(f"    {line}", style="dim", markup=False)
     out.print(_tally(findings))
 
 
-def _excerpt(finding: Finding) -> list[str]:
-    """The line of the finding, with a caret under its column."""
+def _excerpt(finding: Finding, folders: Sequence[Path]) -> list[str]:
+    """The line of the finding, with a caret under its column; nothing of a file that lies in none of the folders."""
+    from casper.kb.text.files import is_within, read_utf8
+
     place = finding.place
+    if not is_within(Path(place.file), folders):
+        return []
     try:
-        lines = Path(place.file).read_text(encoding="utf-8").split("\n")
-    except (OSError, UnicodeDecodeError):
+        lines = read_utf8(Path(place.file)).split("\n")
+    except OSError:
         return []
     if not 0 < place.line <= len(lines):
         return []

@@ -33,6 +33,10 @@ def explain(
     from casper.cli.output import print_json
     from casper.engine.domain.domain import Domain
 
+    if picture is not None:
+        from casper.engine.explanation.pictures import check_picture
+
+        check_picture(picture)
     reading = Domain.load(domain).reading(policy, verification=not no_verification, noise=noise, goals=goals)
     for action in actions:
         reading.observe(action)
@@ -49,15 +53,14 @@ def explain(
 
 def show(reading: Reading, top: int, questions: int = 0) -> None:
     """Print a reading for a person: shares as bars, the best explanations as marked trees, what to ask."""
-    from rich.markup import escape
-
-    from casper.cli.output import bar, console
+    from casper.cli.output import bar, console, escape
     from casper.kb.terms.syntax import term_text
     from casper.kb.terms.terms import as_term
     from casper.plans.trees.tree import tree_text
 
     out = console()
-    out.rule(f"[bold]{escape(' → '.join(map(str, reading.observations)))}", align="left", style="dim")
+    heading = " → ".join(map(str, reading.observations))
+    out.print(f"[bold]{escape(heading)}[/] [dim]{'─' * (out.width - len(heading) - 1)}[/]")
     best = reading.best(max(top, 1))
     plural = "" if reading.count == 1 else "s"
     least = "" if reading.is_exact else "at least "
@@ -65,7 +68,7 @@ def show(reading: Reading, top: int, questions: int = 0) -> None:
     for goal, share in reading.posterior.items():
         reasons = "; ".join(reading.rejected.get(goal, ()))
         note = f"  [dim]not this: {escape(reasons)}[/]" if reasons else ""
-        out.print(f"  {goal:<12} [cyan]{bar(share)}[/] {share:.2f}{note}")
+        out.print(f"  {escape(f'{goal:<12}')} [cyan]{bar(share)}[/] {share:.2f}{note}")
     verdict = f"[bold green]{escape(reading.outcome)}[/]" if reading.outcome else "undecided"
     out.print(f"outcome: {verdict}")
     for explanation in best[:top]:

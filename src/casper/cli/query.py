@@ -15,7 +15,10 @@ def query(
     limit: Annotated[int | None, typer.Option(min=1, help="Stop after this many answers.")] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Answer a question to a domain, whichever of its parts are known."""
+    """Answer a question to a domain, whichever of its parts are known.
+
+    Exit code 0 with an answer, 1 without any.
+    """
     from casper.cli.output import console, json_value, print_json
     from casper.engine.domain.domain import Domain
     from casper.kb.terms.syntax import term_text
@@ -28,5 +31,7 @@ def query(
         else:
             shown = ", ".join(f"{name} = {term_text(value)}" for name, value in answer.items())
             out.print(shown or "yes", markup=False)
-    if not found and not as_json:
-        out.print("no")
+    if not found:
+        if not as_json:
+            out.print("no")
+        raise typer.Exit(1)

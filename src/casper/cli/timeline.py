@@ -6,9 +6,8 @@ from collections.abc import Callable
 from typing import Any
 
 from rich.console import Console
-from rich.markup import escape
 
-from casper.cli.output import bar
+from casper.cli.output import bar, escape
 from casper.engine.events import Event
 
 _MOVEMENT_STYLE = {"still": "dim", "walk": "blue", "transport": "magenta", "pick": "yellow", "place": "yellow"}
@@ -61,7 +60,7 @@ class Timeline:
             return
         self._last = now
         style = _MOVEMENT_STYLE.get(movement, "white")
-        self._line(event.t, f"[{style}]{movement:<9}[/]  {self._focus_bars()}")
+        self._line(event.t, f"[{style}]{escape(f'{movement:<9}')}[/]  {self._focus_bars()}")
 
     def _focus_bars(self) -> str:
         scores: dict[str, float] = self._focus.get("scores", {})
@@ -70,7 +69,7 @@ class Timeline:
         parts = []
         for name in ranked[:_SHOWN_FOCUS]:
             style = "bold" if name == target else "" if name == destination else "dim"
-            shown = f"[{style}]{escape(name):<9}[/]" if style else f"{escape(name):<9}"
+            shown = f"[{style}]{escape(f'{name:<9}')}[/]" if style else f"{escape(f'{name:<9}')}"
             parts.append(f"{shown}[cyan]{bar(scores[name], 8)}[/]{scores[name]:5.2f}")
         return "  ".join(parts)
 
@@ -92,7 +91,7 @@ class Timeline:
         for goal, share in data["posterior"].items():
             new = reasons.get(goal) and goal not in self._ruled_out
             why = f"  [dim]not this: {escape(reasons[goal][0])}[/]" if new else ""
-            self._under(f"  {escape(goal):<12}[cyan]{bar(share)}[/]{share:5.2f}{why}")
+            self._under(f"  {escape(f'{goal:<12}')}[cyan]{bar(share)}[/]{share:5.2f}{why}")
         self._ruled_out = set(reasons)
 
     def _prediction(self, event: Event) -> None:

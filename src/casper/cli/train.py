@@ -11,11 +11,12 @@ from casper.cli.options import AsJson, DomainName
 
 if TYPE_CHECKING:
     from casper.engine.movements.tree import Evaluation
+    from casper.kb.errors import CasperError
 
 
 def train(
     domain: DomainName,
-    trials: Annotated[int, typer.Option(min=2, help="Scripted trials to learn from.")] = 10,
+    trials: Annotated[int, typer.Option(min=2, max=1000, help="Scripted trials to learn from.")] = 10,
     seed: Annotated[int, typer.Option(help="Of the trials and the tree; the same seed gives the same file.")] = 1,
     leaves: Annotated[int, typer.Option(min=2, help="Leaves the tree may have.")] = 5,
     output: Annotated[Path | None, typer.Option(help="Where to write; movements.pl of the domain.")] = None,
@@ -25,22 +26,25 @@ def train(
     from casper.cli.extras import needs
     from casper.cli.output import print_json
     from casper.engine.domain.domain import Domain
-    from casper.kb.errors import DomainError
 
     needs("sklearn", "train")
     needs("mujoco", "sim")
     from casper.engine.movements.clauses import compile_tree
-    from casper.engine.movements.tree import fit, leave_one_trial_out
+    from casper.engine.movements.tree import check_learning, fit, leave_one_trial_out
+    from casper.kb.text.files import unwritable
     from casper.sim_adapter.training.samples import training_samples
 
     loaded = Domain.load(domain)
+    file = output or loaded.folder / "movements.pl"
+    if (reason := unwritable(file)) is not None:
+        raise _unwritten(file, reason)
+    check_learning(leaves, seed)
     samples = list(training_samples(loaded, trials, seed))
     evaluation = leave_one_trial_out(samples, leaves, seed)
-    file = output or loaded.folder / "movements.pl"
     try:
         file.write_text(compile_tree(fit(samples, leaves, seed), evaluation), encoding="utf-8")
     except OSError as mistake:
-        raise DomainError(f"cannot write {file} ({mistake}); choose another place with --output") from None
+        raise _unwritten(file, mistake.strerror or str(mistake)) from None
     if as_json:
         print_json(
             {
@@ -57,17 +61,29 @@ def train(
         _show(evaluation, len(samples), trials, file)
 
 
-def _show(evaluation: Evaluation, samples: int, trials: int, file: Path) -> None:
-    from rich.table import Table
+def _unwritten(file: Path, reason: str) -> CasperError:
+    from casper.kb.errors import DomainError
 
-    from casper.cli.output import console
+    return DomainError(f"cannot write {file} ({reason}); choose another place with --output")
+
+
+def _show(evaluation: Evaluation, samples: int, trials: int, file: Path) -> None:
+    from casper.cli.output import console, escape
 
     out = console()
     out.print(f"{samples} samples from {trials} trials")
     out.print(f"leave-one-trial-out accuracy [bold]{evaluation.accuracy:.3f}[/]")
-    table = Table("true \\ taken for", *evaluation.labels, box=None, header_style="dim")
-    for true in evaluation.labels:
-        counts = (evaluation.confusion[true][seen] for seen in evaluation.labels)
-        table.add_row(true, *(str(count) if count else "·" for count in counts))
-    out.print(table)
+    heading, *rows = _confusion(evaluation)
+    out.print(f"[dim]{escape(heading)}[/]")
+    for row in rows:
+        out.print(row, markup=False)
     out.print(f"written to {file}", markup=False)
+
+
+def _confusion(evaluation: Evaluation) -> list[str]:
+    """The table of what was taken for what, in columns as wide as they must be: nothing of it is cut off."""
+    counts = ((evaluation.confusion[true][seen] for seen in evaluation.labels) for true in evaluation.labels)
+    named = zip(evaluation.labels, counts)
+    table = [["true \\ taken for", *evaluation.labels], *([true, *(str(n or "·") for n in row)] for true, row in named)]
+    widths = [max(map(len, column)) for column in zip(*table)]
+    return ["  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in table]

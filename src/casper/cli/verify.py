@@ -50,9 +50,7 @@ def _json(text: str, verdict: Verdict, kb: KnowledgeBase) -> dict[str, Any]:
 
 
 def _show(verdict: Verdict, kb: KnowledgeBase) -> None:
-    from rich.markup import escape
-
-    from casper.cli.output import console
+    from casper.cli.output import console, escape
     from casper.kb.terms.syntax import term_text
     from casper.kb.terms.terms import as_term
 
