@@ -10,6 +10,7 @@ import errno
 import os
 import stat
 from collections.abc import Iterable
+from contextlib import suppress
 from io import FileIO
 from pathlib import Path
 
@@ -117,6 +118,8 @@ def unwritable(path: Path) -> str | None:
     if not os.path.isdir(folder):
         return f"there is no folder {folder}"
     try:
+        with suppress(FileNotFoundError):
+            os.lstat(path)  # fails at a name that is too long
         with TemporaryFile(dir=folder):  # the only way to know: rights, disks and file systems all have a say
             return None
     except OSError as mistake:

@@ -76,7 +76,7 @@ def test_every_command_shows_the_names_of_a_domain(casper, tmp_path, name):
     explained = casper("explain", str(folder), f"'{name}'").out
     assert f"  {name}!".replace("\\\\", "\\") in explained.split("outcome")[0]
     assert f"● '{name}'" in explained
-    assert f"'{name}'" in casper("repl", str(folder), stdin="listing\n").out
+    assert f"'{name}'" in casper("repl", str(folder), stdin=f"why '{name}'(ann)\n").out
     (folder / "ontology.pl").write_text(text + f"p(X) :- '{name}?'(X).\n")
     checked = casper("check", str(folder)).out
     assert f"{folder}/ontology.pl:4: error" in checked
