@@ -53,6 +53,8 @@ def explain(
 
 def show(reading: Reading, top: int, questions: int = 0) -> None:
     """Print a reading for a person: shares as bars, the best explanations as marked trees, what to ask."""
+    from rich.cells import cell_len
+
     from casper.cli.output import bar, console, escape
     from casper.kb.terms.syntax import term_text
     from casper.kb.terms.terms import as_term
@@ -60,7 +62,7 @@ def show(reading: Reading, top: int, questions: int = 0) -> None:
 
     out = console()
     heading = " → ".join(map(str, reading.observations))
-    out.print(f"[bold]{escape(heading)}[/] [dim]{'─' * (out.width - len(heading) - 1)}[/]")
+    out.print(f"[bold]{escape(heading)}[/] [dim]{'─' * (out.width - cell_len(heading) - 1)}[/]")
     best = reading.best(max(top, 1))
     plural = "" if reading.count == 1 else "s"
     least = "" if reading.is_exact else "at least "

@@ -29,11 +29,7 @@ def run(
     speed: Annotated[float, typer.Option(help="Simulated seconds a second; 0 is as fast as it goes.")] = 0.0,
     as_json: AsJson = False,
 ) -> None:
-    """Simulate a partner in the domain's room, read their goal, and do the robot's part.
-
-    Raises:
-        CasperError: a speed that is no finite number from 0, and as `Trial`.
-    """
+    """Simulate a partner in the domain's room, read their goal, and do the robot's part."""
     from casper.cli.extras import needs
     from casper.cli.output import console, print_json
     from casper.cli.timeline import Timeline
