@@ -235,6 +235,33 @@ def test_a_full_disk_behind_the_output_is_one_sentence(json):
     assert (told.returncode, told.stderr) == (2, "casper: cannot write the output (No space left on device)\n")
 
 
+@pytest.mark.parametrize("arguments", [["query", "kitchen", "human(X)"], ["query", "kitchen", "human(X)", "--json"], ["--help"], []])
+def test_a_reader_that_has_had_enough_is_no_mistake(arguments):
+    """Nor is it exit code 1, which says that there is no answer."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    command = [sys.executable, "-m", "casper", *arguments]
+    told = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, text=True, env=HERE)
+    os.close(writing)
+    assert (told.returncode, told.stderr) == (0, "")
+
+
+def test_input_that_cannot_be_read_is_one_sentence(tmp_path):
+    with open(tmp_path / "written only", "wb") as stdin:
+        told = subprocess.run([sys.executable, "-m", "casper", "watch", "kitchen"], stdin=stdin, capture_output=True, text=True, env=HERE)
+    assert (told.returncode, told.stderr) == (2, "casper: cannot go on (Bad file descriptor)\n")
+
+
+@pytest.mark.skipif(not os.path.exists("/bin/sh"), reason="needs a shell that closes streams")
+@pytest.mark.parametrize("closed", ["<&-", ">&-", "2>&-", "<&- >&- 2>&-"])
+@pytest.mark.parametrize(("arguments", "code"), [("query kitchen 'human(tiago)'", 1), ("watch kitchen", 0), ("repl kitchen", 0), ("check gone", 2)])
+def test_streams_may_be_closed(arguments, code, closed):
+    command = f"{sys.executable} -m casper {arguments} {closed}"
+    told = subprocess.run(["/bin/sh", "-c", command], stdin=subprocess.DEVNULL, capture_output=True, text=True, env=HERE)
+    assert told.returncode == code
+    assert "Traceback" not in told.stderr
+
+
 def test_settling_streams_twice_does_no_harm(capsys):
     settle_streams()
     settle_streams()

@@ -6,6 +6,7 @@ Exit codes: 0 done, 1 some statement is not valid (verify), there is no answer (
 
 from __future__ import annotations
 
+import errno
 import os
 import sys
 from contextlib import suppress
@@ -24,6 +25,8 @@ from casper.cli.train import train
 from casper.cli.verify import verify
 from casper.cli.watch import watch
 from casper.kb.errors import CasperError
+
+_NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 app = typer.Typer(
     name="casper",
@@ -59,18 +62,23 @@ def main() -> None:
     except CasperError as mistake:
         print(f"casper: {visible(str(mistake))}", file=sys.stderr)
         sys.exit(2)
-    except BrokenPipeError:  # the reader of a pipe has had enough, as in ``casper … | head``
-        sys.stderr.close()
-        sys.exit(0)
-    except OSError as mistake:  # such as a full disk behind the output
-        _give_up_output()
-        print(f"casper: cannot write the output ({mistake.strerror or mistake})", file=sys.stderr)
-        sys.exit(2)
+    except (SystemExit, OSError) as end:
+        _end_of_output(end)
+        raise
     except KeyboardInterrupt:
         sys.exit(130)
 
 
-def _give_up_output() -> None:
-    """Let what is still to be written go nowhere, so that the end of the program does not try it again."""
+def _end_of_output(end: SystemExit | OSError) -> None:
+    """Leave, if nothing can be written any more; what is still to be written must not be tried again at the end."""
+    had_enough = isinstance(end, BrokenPipeError) or isinstance(end.__context__, BrokenPipeError)
+    if not had_enough and isinstance(end, SystemExit):
+        return
     with suppress(OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    if had_enough:  # the reader of a pipe, as in ``casper … | head``
+        sys.exit(0)
+    assert isinstance(end, OSError)
+    wrong = "cannot write the output" if end.errno in _NO_ROOM else "cannot go on"
+    print(f"casper: {wrong} ({end.strerror or end})", file=sys.stderr)
+    sys.exit(2)

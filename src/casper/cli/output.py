@@ -9,6 +9,7 @@ from __future__ import annotations
 import codecs
 import io
 import json
+import os
 import sys
 import unicodedata
 from typing import Any
@@ -83,6 +84,9 @@ def _plain(mistake: UnicodeError) -> tuple[str, int]:
 def settle_streams() -> None:
     """Let no character end the program: neither one that a stream cannot write, nor a byte that it cannot read."""
     codecs.register_error(_HANDLER, _plain)
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:  # whoever started the program has closed it
+            setattr(sys, name, open(os.devnull, mode, encoding="utf-8"))  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors=_HANDLER)
