@@ -13,6 +13,8 @@ from casper.kb.checks.check import Context, check_sentences
 from casper.kb.checks.finding import Finding, Severity, finding_of, sorted_findings
 from casper.kb.errors import CasperError, DomainError, Place
 from casper.kb.terms.clauses import Clause, Indicator, Production, Sentence
+from casper.kb.text.files import is_there, read_utf8
+from casper.kb.text.reader import read_text
 from casper.kb.text.recovery import read_tolerantly
 from casper.kb.text.sources import Sources
 from casper.plans.checks import telling_apart
@@ -51,9 +53,9 @@ class _Read:
     def __init__(self, folder: Path) -> None:
         self.findings: list[Finding] = []
         self.half_read: set[str] = set()
-        sources = Sources((SHIPPED,), self._file, self._note)
-        present = [file for file in FILES if (folder / file).is_file()]
-        self.sentences = {file: sources.sentences(folder / file) for file in present}
+        self.sources = Sources((SHIPPED,), self._file, self._note)
+        present = [file for file in FILES if is_there(folder / file)]
+        self.sentences = {file: self.sources.sentences(folder / file) for file in present}
         self.verifies = ONTOLOGY in self.sentences
 
     @property
@@ -62,9 +64,11 @@ class _Read:
 
     def _file(self, path: Path) -> list[Sentence]:
         try:
-            text = path.read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError) as mistake:
+            text = read_utf8(path)
+        except OSError as mistake:
             raise DomainError(f"this file cannot be read ({mistake})", Place(str(path))) from None
+        if self.sources.is_foreign(path):  # what can be read of it in spite of a mistake is nobody's business
+            return read_text(text, str(path))
         read = read_tolerantly(text, str(path))
         self.findings.extend(map(finding_of, read.mistakes))
         self.half_read |= read.half_read

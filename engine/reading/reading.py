@@ -8,6 +8,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any
@@ -166,7 +167,7 @@ class Reading:
         if count == 1:
             best = self.first
             return [] if best is None else [best]
-        return list(islice(self.explanations(), max(count, 0)))
+        return list(islice(self.explanations(), min(max(count, 0), sys.maxsize)))
 
     @property
     def frontier(self) -> tuple[Compound, ...]:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from casper.kb.errors import Place
+from casper.kb.text.files import read_utf8
 from casper.kb.text.lines import Line, Role, Span, line
 
 _ROLES: dict[str, Role] = {"error": "error", "warning": "warning", "note": "note"}  # of severities, the worst first
@@ -22,7 +23,7 @@ def finding_line(place: Place, severity: str, message: str, file: str | None = N
 def excerpt_lines(place: Place) -> Iterator[Line]:
     """The line of the file, with a caret under the column; nothing where it cannot be read."""
     try:
-        lines = Path(place.file).read_text(encoding="utf-8").split("\n")
+        lines = read_utf8(Path(place.file)).split("\n")
     except (OSError, ValueError):
         return
     if not 0 < place.line <= len(lines):

@@ -19,6 +19,7 @@ from casper.kb.terms.clauses import Clause, Directive, Literal, Production, Sent
 from casper.kb.terms.terms import NIL, Compound, Term, Variable, make_list, predication
 from casper.kb.terms.unification import variables_of
 from casper.kb.text.bulk_reader import read_large
+from casper.kb.text.files import read_utf8
 from casper.kb.text.namespace import qualified
 
 LARGE = 20_000  # characters from which plain sentences are read by an expression of their own
@@ -57,12 +58,12 @@ def read_file(path: Path) -> list[Sentence]:
     """Every sentence of a file.
 
     Raises:
-        DomainError: the file cannot be read.
+        DomainError: the file cannot be read, is no regular one, or is too large (`kb.text.files`).
         ReadError: as `read_text`.
     """
     try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as mistake:
+        text = read_utf8(path)
+    except OSError as mistake:
         raise DomainError(f"cannot read {path} ({mistake})") from None
     return read_text(text, str(path))
 
@@ -105,13 +106,14 @@ def _parse(text: str, file: str, start: str) -> Tree[Any]:
 
 
 def _read_error(mistake: UnexpectedInput, text: str, file: str) -> ReadError:
-    line, column = mistake.line, mistake.column
+    line, column, quoted = mistake.line, mistake.column, ""
     token = getattr(mistake, "token", None)
     if mistake.pos_in_stream is not None and text.startswith("/*", mistake.pos_in_stream):
         return ReadError("this comment is never closed", Place(file, line, column), _excerpt(text, line, column))
     if isinstance(mistake, UnexpectedCharacters):
         character = text[mistake.pos_in_stream or 0]
-        sentence = f"{character!r} does not belong here"
+        quoted = repr(character)
+        sentence = f"{quoted} does not belong here"
         if character in "'\"":
             sentence = "this quote is never closed on its line"
             return ReadError(sentence, Place(file, line, column), _excerpt(text, line, column))
@@ -120,12 +122,13 @@ def _read_error(mistake: UnexpectedInput, text: str, file: str) -> ReadError:
         line, column = written.count("\n") + 1, len(written) - written.rfind("\n")
         sentence = "the text ends here, in the middle of a clause"
     else:
-        sentence = f"{str(token)!r} does not belong here"
+        quoted = repr(str(token))
+        sentence = f"{quoted} does not belong here"
     expected = set(getattr(mistake, "accepts", None) or getattr(mistake, "allowed", None) or ())
     wanted = [words for name, words in _EXPECTED.items() if name in expected]
     if wanted:
         sentence += f"; expected {' or '.join(wanted)}"
-    return ReadError(sentence, Place(file, line, column), _excerpt(text, line, column))
+    return ReadError(sentence, Place(file, line, column), _excerpt(text, line, column), quoted)
 
 
 @contextmanager
@@ -209,8 +212,9 @@ def _statement(tree: Tree[Any], file: str, names: _Anonymous, shapes: frozenset[
         pass
     from casper.kb.terms.syntax import term_text
 
-    sentence = f"{term_text(term)} cannot stand here: a name or name(arguments) is needed"
-    raise ReadError(sentence, _place(tree, file)) from None
+    quoted = term_text(term)
+    sentence = f"{quoted} cannot stand here: a name or name(arguments) is needed"
+    raise ReadError(sentence, _place(tree, file), quoted=quoted) from None
 
 
 def _alternatives(tree: Tree[Any], file: str, names: _Anonymous) -> list[list[Literal]]:

@@ -31,6 +31,10 @@ def explain(
     from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
 
+    if picture is not None:
+        from casper.engine.explanation.pictures import check_picture
+
+        check_picture(picture)
     reading = Domain.load(domain).reading(policy, verification=not no_verification, noise=noise, goals=goals)
     for action in actions:
         reading.observe(action)

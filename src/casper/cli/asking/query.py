@@ -15,7 +15,10 @@ def query(
     limit: Annotated[int | None, typer.Option(min=1, help="Stop after this many answers.")] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Answer a question to a domain, whichever of its parts are known."""
+    """Answer a question to a domain, whichever of its parts are known.
+
+    Exit code 0 with an answer, 1 without any.
+    """
     from casper.cli.terminal.output import console, json_value, print_json
     from casper.cli.terminal.showing import say
     from casper.engine.domain.domain import Domain
@@ -28,5 +31,7 @@ def query(
             print_json({name: json_value(value) for name, value in answer.items()})
         else:
             say(out, answer_text(answer))
-    if not found and not as_json:
-        out.print("no")
+    if not found:
+        if not as_json:
+            say(out, "no")
+        raise typer.Exit(1)

@@ -21,6 +21,7 @@ def check(domain: DomainName, as_json: AsJson = False) -> None:
     """
     from casper.cli.terminal.output import print_json
     from casper.engine.domain.check import check_domain
+    from casper.engine.domain.domain import SHIPPED, find_domain
     from casper.kb.checks.finding import Severity
 
     findings = check_domain(domain)
@@ -28,7 +29,7 @@ def check(domain: DomainName, as_json: AsJson = False) -> None:
         for finding in findings:
             print_json(_json(finding))
     else:
-        _show(findings)
+        _show(findings, (find_domain(domain), SHIPPED))
     raise typer.Exit(1 if any(f.severity is Severity.ERROR for f in findings) else 0)
 
 
@@ -42,13 +43,16 @@ def _path(file: str) -> str:
     return str(path.relative_to(here)) if path.is_relative_to(here) else file
 
 
-def _show(findings: Sequence[Finding]) -> None:
+def _show(findings: Sequence[Finding], folders: Sequence[Path]) -> None:
     from casper.cli.terminal.output import console
     from casper.cli.terminal.showing import say, show
     from casper.kb.checks.printing import excerpt_lines, finding_line, tally
+    from casper.kb.text.files import is_within
 
     out = console()
     for finding in findings:
         place = finding.place
-        show(out, [finding_line(place, finding.severity, finding.message, _path(place.file)), *excerpt_lines(place)])
+        show(out, [finding_line(place, finding.severity, finding.message, _path(place.file))])
+        if is_within(Path(place.file), folders):  # nothing is shown of a file that lies in none of the folders
+            show(out, excerpt_lines(place))
     say(out, tally(finding.severity for finding in findings))

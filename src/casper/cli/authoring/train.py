@@ -11,11 +11,12 @@ from casper.cli.terminal.options import AsJson, DomainName
 
 if TYPE_CHECKING:
     from casper.engine.movements.tree import Evaluation
+    from casper.kb.errors import CasperError
 
 
 def train(
     domain: DomainName,
-    trials: Annotated[int, typer.Option(min=2, help="Scripted trials to learn from.")] = 10,
+    trials: Annotated[int, typer.Option(min=2, max=1000, help="Scripted trials to learn from.")] = 10,
     seed: Annotated[int, typer.Option(help="Of the trials and the tree; the same seed gives the same file.")] = 1,
     leaves: Annotated[int, typer.Option(min=2, help="Leaves the tree may have.")] = 5,
     output: Annotated[Path | None, typer.Option(help="Where to write; movements.pl of the domain.")] = None,
@@ -25,22 +26,25 @@ def train(
     from casper.cli.terminal.extras import needs
     from casper.cli.terminal.output import print_json
     from casper.engine.domain.domain import Domain
-    from casper.kb.errors import DomainError
 
     needs("sklearn", "train")
     needs("mujoco", "sim")
     from casper.engine.movements.clauses import compile_tree
-    from casper.engine.movements.tree import fit, leave_one_trial_out
+    from casper.engine.movements.tree import check_learning, fit, leave_one_trial_out
+    from casper.kb.text.files import unwritable
     from casper.sim_adapter.training.samples import training_samples
 
     loaded = Domain.load(domain)
+    file = output or loaded.folder / "movements.pl"
+    if (reason := unwritable(file)) is not None:
+        raise _unwritten(file, reason)
+    check_learning(leaves, seed)
     samples = list(training_samples(loaded, trials, seed))
     evaluation = leave_one_trial_out(samples, leaves, seed)
-    file = output or loaded.folder / "movements.pl"
     try:
         file.write_text(compile_tree(fit(samples, leaves, seed), evaluation), encoding="utf-8")
     except OSError as mistake:
-        raise DomainError(f"cannot write {file} ({mistake}); choose another place with --output") from None
+        raise _unwritten(file, mistake.strerror or str(mistake)) from None
     if as_json:
         print_json(
             {
@@ -55,6 +59,12 @@ def train(
         )
     else:
         _show(evaluation, len(samples), trials, file)
+
+
+def _unwritten(file: Path, reason: str) -> CasperError:
+    from casper.kb.errors import DomainError
+
+    return DomainError(f"cannot write {file} ({reason}); choose another place with --output")
 
 
 def _show(evaluation: Evaluation, samples: int, trials: int, file: Path) -> None:

@@ -1,8 +1,9 @@
-"""What the printers of the commands share: JSON lines, a console, bars."""
+"""What the printers of the commands share: a console that shows texts as they are, and JSON lines."""
 
 from __future__ import annotations
 
 import json
+import sys
 from typing import Any
 
 from rich.console import Console
@@ -12,13 +13,18 @@ from casper.kb.terms.terms import Term, Variable, as_term, predication
 
 
 def console() -> Console:
-    """The terminal; plain text when it is none."""
-    return Console(highlight=False, soft_wrap=True)
+    """The terminal; plain text when it is none. Texts go to it through `showing`, never as markup."""
+    return Console(highlight=False, soft_wrap=True, emoji=False, markup=False)
 
 
 def print_json(data: dict[str, Any]) -> None:
-    """One JSON object on one line, at once."""
-    print(json.dumps(data, ensure_ascii=False), flush=True)
+    r"""One JSON object on one line, at once; with ``\u`` escapes where the output cannot hold its characters."""
+    line = json.dumps(data, ensure_ascii=False)
+    try:
+        line.encode(getattr(sys.stdout, "encoding", None) or "utf-8")
+    except UnicodeEncodeError:
+        line = json.dumps(data)
+    print(line, flush=True)
 
 
 def json_value(term: Term) -> Any:
@@ -28,10 +34,3 @@ def json_value(term: Term) -> Any:
     if isinstance(term, tuple):
         return term_text(as_term(predication(term)))
     return term
-
-
-def bar(share: float, width: int = 10) -> str:
-    """A share from 0 to 1 as a bar of blocks, exact to an eighth of a cell."""
-    eighths = round(max(0.0, min(1.0, share)) * width * 8)
-    full, rest = divmod(eighths, 8)
-    return ("█" * full + (" ▏▎▍▌▋▊▉"[rest] if rest else "")).ljust(width)

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from rich.console import Console
 from rich.text import Text
 
+from casper.cli.terminal.plain import visible
 from casper.kb.text.lines import Line, Role, Span, lines_of
 
 STYLES: dict[Role, str] = {
@@ -24,7 +25,6 @@ STYLES: dict[Role, str] = {
     "carry": "magenta",
     "grasp": "yellow",
 }
-_CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), *range(127, 160)) if chr(code) not in "\n\t"}
 
 
 def show(out: Console, lines: Iterable[Line]) -> None:
@@ -42,4 +42,4 @@ def say(out: Console, text: str) -> None:
 
 
 def _styled(span: Span) -> tuple[str, str]:
-    return span.text.translate(_CONTROLS), STYLES[span.role]
+    return visible(span.text), STYLES[span.role]

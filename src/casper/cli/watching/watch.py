@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import sys
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, TextIO
 
 import typer
 
@@ -13,6 +14,8 @@ from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, Policy
 if TYPE_CHECKING:
     from casper.engine.events import Event
     from casper.engine.mind import Mind
+
+LONGEST = 10_000_000  # characters of a world state
 
 
 def watch(
@@ -35,7 +38,7 @@ def watch(
     loaded = Domain.load(domain)
     mind = Mind(loaded, verification=not no_verification, policy=policy, noise=noise, goals=goals, stops=stop)
     out, timeline = console(), Timeline(loaded.partner, loaded.robot)
-    for event in watched(mind, sys.stdin, reload):
+    for event in watched(mind, _lines(sys.stdin), reload):
         if as_json:
             print_json(event.to_json())
         else:
@@ -59,6 +62,7 @@ def watched(mind: Mind, lines: Iterable[str], reload: bool = False) -> Iterator[
         for message in live.refresh() if reload else ():
             yield Event("warning", now, {"message": message})
         try:
+            _check_line(line)
             world = world_state_from_json(line)
             events = live.mind.update(world)
             now = world.t
@@ -67,3 +71,28 @@ def watched(mind: Mind, lines: Iterable[str], reload: bool = False) -> Iterator[
             continue
         yield from events
     yield Event("summary", now, live.mind.summary())
+
+
+def _lines(stream: TextIO) -> Iterator[str]:
+    """The lines of a stream of JSON, which is UTF-8 whatever the terminal speaks; what is too long is cut."""
+    if isinstance(stream, io.TextIOWrapper):
+        stream.reconfigure(encoding="utf-8-sig", errors="surrogateescape")
+    while line := stream.readline(LONGEST + 1):
+        rest = line
+        while rest and not rest.endswith("\n"):
+            rest = stream.readline(LONGEST)
+        yield line
+
+
+def _check_line(line: str) -> None:
+    """Refuse a line that is too long to be read, or that held bytes of no character."""
+    from casper.kb.errors import WorldStateError
+
+    if len(line.rstrip("\n")) > LONGEST:
+        raise WorldStateError(f"it is longer than {LONGEST:,} characters")
+    try:
+        line.encode("utf-8")
+    except UnicodeEncodeError as mistake:
+        byte = ord(line[mistake.start]) & 0xFF
+        sentence = f"it is not UTF-8 (byte 0x{byte:02x} at column {mistake.start + 1}); send JSON in UTF-8"
+        raise WorldStateError(sentence) from None
