@@ -1,4 +1,4 @@
-"""Hypothesis profiles: HYPOTHESIS_PROFILE=thorough looks at many more examples."""
+"""Hypothesis profiles: HYPOTHESIS_PROFILE=thorough looks at many more examples, derandomised always at the same."""
 
 import os
 
@@ -6,4 +6,5 @@ from hypothesis import HealthCheck, settings
 
 settings.register_profile("default", deadline=None, max_examples=50, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("thorough", parent=settings.get_profile("default"), max_examples=1500)
+settings.register_profile("derandomised", parent=settings.get_profile("default"), derandomize=True, database=None)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "default"))
