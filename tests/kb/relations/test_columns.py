@@ -1,5 +1,7 @@
 """Tables of interned constants, against plain sets of rows."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -63,7 +65,7 @@ def test_without_a_column_every_row_is_found(base, found):
 def test_runs_are_few_and_shrink(found):
     table, _ = filled(found, 6)
     sizes = [run.size for run in table.runs]
-    assert all(earlier > 2 * later for earlier, later in zip(sizes, sizes[1:]))
+    assert all(earlier > 2 * later for earlier, later in pairwise(sizes))
 
 
 @given(st.integers(1, 9), st.lists(st.tuples(*[st.integers(0, 8)] * 3), min_size=1))
