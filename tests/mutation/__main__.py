@@ -5,9 +5,9 @@
 It is a part of the thorough tests, not of ``python tests``: thirty mutants take some minutes. Of each package (or
 folder, or file) ``count`` mutants are drawn by the seed: a comparison, an operator, a number, True or False is changed,
 a condition negated, a ``not``, a statement or a result taken away. Each is planted in a copy of the tree, where the
-tests of the file's room run first, then those of its package. One line a mutant says whether it was noticed (and by
-which test), survived, or the tests ran out of time, which is noticing, too. A survivor is a fact that no test states,
-or code that nothing needs, or a change that changes nothing.
+tests of the file's room run first, then those of its package (not with ``--quick``). One line a mutant says whether it
+was noticed (and by which test), survived, or the tests ran out of time, which is noticing, too. A survivor is a fact
+that no test states, or code that nothing needs, or a change that changes nothing.
 
 The exit code is 0 when every mutant was noticed, 1 when one survived, 2 when nothing can be said.
 
@@ -40,7 +40,7 @@ def main() -> int:
         print(f"there is nothing to change in {', '.join(empty)}", file=sys.stderr)
         return 2
     with tempfile.TemporaryDirectory(prefix="mutants") as folder:
-        trials = [Trial(options.root, Path(folder, str(number))) for number in range(options.jobs)]
+        trials = [Trial(options.root, Path(folder, str(number)), options.quick) for number in range(options.jobs)]
         try:
             for trial in trials:
                 trial.prepare(mutant.path for mutants in drawn.values() for mutant in mutants)
@@ -78,6 +78,7 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--count", type=int, default=30, help="mutants of each place (default 30)")
     parser.add_argument("--seed", type=int, default=0, help="which mutants are drawn (default 0)")
     parser.add_argument("--jobs", type=int, default=1, help="how many are tried at once (default 1)")
+    parser.add_argument("--quick", action="store_true", help="run the tests of the room only, not the package's")
     parser.add_argument("--leave", action="append", default=[], help="a folder or file to leave out")
     parser.add_argument("--root", type=lambda name: Path(name).resolve(), default=ROOT, help="another project's folder")
     return parser.parse_args()

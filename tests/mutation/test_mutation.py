@@ -118,8 +118,10 @@ def test_a_line_has_these_mutants(line, mutants):
     [
         ("toy/door/entry.py", [("tests/toy/door",), ("tests/toy",)]),
         ("toy/window/pane.py", [("tests/toy",)]),
-        ("toy/house.py", [("tests/toy",)]),
+        ("toy/house.py", [("tests/toy/test_house.py",), ("tests/toy",)]),
     ],
 )
 def test_the_tests_of_the_room_come_first(project, path, tests):
+    (project / "tests/toy/test_house.py").touch()
     assert relevant_tests(project, path) == tests
+    assert relevant_tests(project, path, quick=True) == tests[:1]

@@ -35,8 +35,8 @@ class FailingTests(Exception):
 class Trial:
     """A copy of the project that mutants are planted in, one at a time."""
 
-    def __init__(self, root: Path, copy: Path) -> None:
-        self.root, self.copy = root, copy
+    def __init__(self, root: Path, copy: Path, quick: bool = False) -> None:
+        self.root, self.copy, self.quick = root, copy, quick
         shutil.copytree(root, copy, symlinks=True, ignore=_LEFT_OUT)
         self._limits: dict[Tests, float] = {}
 
@@ -46,21 +46,21 @@ class Trial:
         Raises:
             FailingTests: they do not pass.
         """
-        for tests in dict.fromkeys(tests for path in paths for tests in relevant_tests(self.root, path)):
+        for tests in dict.fromkeys(tests for path in paths for tests in relevant_tests(self.root, path, self.quick)):
             if tests in self._limits:
                 continue
             began = time.monotonic()
             failed = self.failure(tests, None)
             if failed is not None:
                 raise FailingTests(f"the tests fail without a mutant already: {failed}")
-            self._limits[tests] = 30 + 6 * (time.monotonic() - began)
+            self._limits[tests] = 30 + 4 * (time.monotonic() - began)
 
     def verdict(self, mutant: Mutant) -> tuple[str, str]:
         """Whether the tests noticed the mutant, it survived, or time ran out; and the first test that failed."""
         original, place = self.root / mutant.path, self.copy / mutant.path
         place.write_bytes(mutant.planted(original.read_bytes()))
         try:
-            for tests in relevant_tests(self.root, mutant.path):
+            for tests in relevant_tests(self.root, mutant.path, self.quick):
                 failed = self.failure(tests, self._limits[tests], PYTHONDONTWRITEBYTECODE="1")
                 if failed is not None:
                     return ("noticed" if failed else "timeout"), failed
@@ -82,9 +82,11 @@ class Trial:
         )
         try:
             output, _ = run.communicate(timeout=seconds)
-        except subprocess.TimeoutExpired:
+        except BaseException as reason:
             os.killpg(run.pid, signal.SIGKILL)  # the programs that tests started, too
             run.communicate()
+            if not isinstance(reason, subprocess.TimeoutExpired):
+                raise
             return ""
         if run.returncode in (0, _NO_TESTS):
             return None
@@ -92,10 +94,13 @@ class Trial:
         return failed[1] if failed else f"pytest ended with {run.returncode}: {output.strip()[-200:]}"
 
 
-def relevant_tests(root: Path, path: str) -> list[Tests]:
-    """The tests that matter to a file: those of its room, then all of its package."""
+def relevant_tests(root: Path, path: str, quick: bool = False) -> list[Tests]:
+    """The tests that matter to a file: those of its room, then, unless it should be quick, all of its package.
+
+    A file beside the rooms has the tests that stand beside theirs.
+    """
     package, *rooms = Path(path).parent.parts
-    room = f"tests/{package}/{rooms[0]}" if rooms else ""
-    if room and (root / room).is_dir():
-        return [(room,), (f"tests/{package}",)]
-    return [(f"tests/{package}",)]
+    beside = [file.relative_to(root).as_posix() for file in sorted((root / "tests" / package).glob("test_*.py"))]
+    room = [f"tests/{package}/{rooms[0]}"] if rooms else beside
+    first = [tuple(room)] if room and (root / room[0]).exists() else []
+    return first if quick and first else [*first, (f"tests/{package}",)]
