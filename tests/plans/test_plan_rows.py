@@ -4,7 +4,7 @@ import pytest
 
 from casper.kb.base import KnowledgeBase
 from casper.plans.library import PlanLibrary
-from casper.plans.relations import plan_clauses
+from casper.plans.relations import RELATIONS, plan_clauses
 
 
 def answers(body, goal, more=""):
@@ -48,3 +48,10 @@ def test_nothing_holds_of_a_goal_that_the_knowledge_base_does_not_allow():
 def test_a_thing_used_twice_is_told_once():
     clauses = [str(clause.head) for clause in plan_clauses(PlanLibrary.from_text("goal(g). g --> a(mug), b(mug)."))]
     assert clauses.count("plan_uses(g, mug)") == 1
+
+
+def test_the_relations_are_all_that_clauses_are_made_of():
+    shaped = PlanLibrary.from_text("goal(g). g --> a(mug), optional(b), (c ; d), e.")
+    open_ = PlanLibrary.from_text("goal(g(X)). g(X) --> a(X), b(X).")
+    made = {clause.head.indicator for library in (shaped, open_) for clause in plan_clauses(library)}
+    assert made == set(RELATIONS)

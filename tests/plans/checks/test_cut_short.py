@@ -74,3 +74,9 @@ def test_plans_that_are_written_otherwise_are_compared_up_to_a_number_of_ways(wa
 def test_only_goals_whose_parameters_have_conditions_are_left_alone():
     text = "goal(g(X)) :- p(X). goal(h(X)) :- q(X). goal(i) :- r. goal(j). g(X) --> a(X). h(X) --> a(X). i --> b. j --> b."
     assert [f.message.split(":")[0] for f in inseparable_goals(PlanLibrary.from_text(text))] == ["no observations can tell j from i"]
+
+
+@pytest.mark.parametrize(("a", "b", "row"), [("a, b", "b, a", "a"), ("a, b, c", "c, a, b", "a b"), ("a, a", "a, b, a", "a a")])
+def test_a_step_that_was_passed_over_is_no_part_of_the_row(a, b, row):
+    worst = worst_case_distinctiveness(library(a, b), missing=True)
+    assert " ".join(map(str, worst.observations)) == row
