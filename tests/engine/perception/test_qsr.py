@@ -96,3 +96,10 @@ def test_an_approach_within_the_threshold_is_none(approach, before, margin, symb
 )
 def test_who_moves_moves_more_than_the_threshold(displacement, before, margin, moves):
     assert moving(displacement, 0.1, before, margin) is moves
+
+
+def test_without_a_margin_what_was_before_does_not_matter():
+    assert moving(0.12, 0.1, False) is True
+    assert moving(0.06, 0.1, True) is False
+    assert [qtc(0.12, 0.1, before) for before in ("-", "0", "+", None)] == ["-"] * 4
+    assert qdc(2.05, BANDS, "near") == "medium"
