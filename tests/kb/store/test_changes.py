@@ -135,3 +135,14 @@ def test_a_predicate_without_arguments_may_be_dynamic():
 def test_a_plan_belongs_elsewhere():
     with pytest.raises(ProgramError, match="belongs in a plan library"):
         KnowledgeBase.from_text("tea --> boil.")
+
+
+def test_what_is_stated_later_is_counted_as_a_change():
+    kb = base()
+    before = kb.changes
+    kb.fact("human(bob)")
+    assert kb.changes == before + 1
+    kb.facts("edge", [("a", "b")])
+    assert kb.changes == before + 2
+    kb.facts("edge", [])
+    assert kb.changes == before + 2
