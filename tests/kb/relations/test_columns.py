@@ -97,3 +97,8 @@ def test_a_relation_on_columns_answers_like_one_of_rows():
     assert relation.add(("c", "a"), 5) and not relation.add(("a", "b"), 5)
     assert len(relation) == 4 and ("c", "a") in relation
     assert list(relation)[:2] == [("a", "b"), ("b", "c")]
+
+
+def test_a_bitmap_is_kept_only_where_there_are_not_too_many_possible_rows():
+    assert [Table(2, base)._bitmap is not None for base in BASES] == [True, False]
+    assert Table(2, 0).base == 1
