@@ -106,3 +106,11 @@ def test_totals_add_up_the_days_of_every_script():
     totals = compare_recognisers({"one": Says({2: "drink"}), "none": Says({})}, [script, script], [DRINK], error=0.0, days=3, lasts=(2, 2))
     assert totals["one"] == Tally(6, 6, 0, 0, 6, 6, [0] * 6)
     assert totals["none"] == Tally(6, 0, 0, 0, 6, 0, [])
+
+
+def test_totals_add_up_what_was_early_and_what_was_extra():
+    script = [("drink", ["pick", "sip"])]
+    said = {"early": Says({0: "drink"}), "extra": Says({2: "drink", 3: "drink"})}
+    totals = compare_recognisers(said, [script], [DRINK], error=0.0, days=3, lasts=(2, 2))
+    assert totals["early"] == Tally(3, 0, 3, 0, 3, 0, [])
+    assert totals["extra"] == Tally(3, 3, 0, 3, 3, 0, [0] * 3)

@@ -80,3 +80,8 @@ def test_only_goals_whose_parameters_have_conditions_are_left_alone():
 def test_a_step_that_was_passed_over_is_no_part_of_the_row(a, b, row):
     worst = worst_case_distinctiveness(library(a, b), missing=True)
     assert " ".join(map(str, worst.observations)) == row
+
+
+def test_a_worst_case_stands_at_the_first_of_its_goals():
+    text = "goal(x).\ngoal(g).\ngoal(h).\nx --> z.\ng --> a, b.\nh --> a, c.\n"
+    assert [f.place.line for f in findings(PlanLibrary.from_text(text))] == [2, 2]
