@@ -50,3 +50,9 @@ def test_a_repair_counts_and_joins_its_facts():
     assert both.size == 2 and Repair().size == 0
     assert both.to_json() == {"add": ["a"], "remove": ["b"]}
     assert str(both) == "add a and remove b"
+
+
+def test_a_clash_with_a_comparison_ends_when_its_facts_go():
+    text = 'far(a, 5). far(b, 1). spot(a). spot(b). go(X) :- spot(X). never("too far") :- claim(go(X)), far(X, N), N > 3.'
+    assert repairs(text, "go(a)") == ["remove far(a, 5)"]
+    assert repairs(text, "go(b)") == []

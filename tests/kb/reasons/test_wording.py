@@ -2,6 +2,7 @@
 
 import pytest
 
+from casper.kb.base import KnowledgeBase
 from casper.kb.reasons.wording import failure_sentence, noun_phrase
 from casper.kb.text.reader import read_query
 
@@ -47,3 +48,13 @@ def test_why_a_condition_does_not_hold_is_one_sentence(condition, sentence):
 )  # fmt: skip
 def test_a_predicates_name_says_what_something_is(name, phrase):
     assert noun_phrase(name) == phrase
+
+
+def test_a_proof_as_a_graph_has_what_is_proved_as_its_first_node():
+    kb = KnowledgeBase.from_text("q(a).\nr(a).\ns(X) :- q(X).\np(X) :- q(X), s(X), r(X).")
+    graph = kb.why("p(a)").to_networkx()
+    assert sorted(graph)[0] == 0
+    assert {(graph.nodes[a]["text"], graph.nodes[b]["text"]) for a, b in graph.edges} == {
+        ("p(a)", "q(a)"), ("p(a)", "s(a)"), ("p(a)", "r(a)"), ("s(a)", "q(a)"),
+    }  # fmt: skip
+    assert graph.nodes[0] == {"text": "p(a)", "by": "rule", "place": "<text>:4"}
