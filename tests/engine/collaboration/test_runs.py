@@ -1,8 +1,10 @@
 """Runs over partial orders whose leaves wait for different people's steps."""
 
 import pytest
+from readings import reading
 
 from casper.engine.collaboration.collaboration import CollaborativePlan, longest_run
+from casper.engine.collaboration.supervisor import Supervisor
 from casper.engine.explanation.situation import Situation
 from casper.kb.terms.terms import Compound
 from casper.plans.library import PlanLibrary
@@ -35,3 +37,10 @@ def test_what_was_done_since_is_left_out():
 def test_a_part_is_json():
     part = CollaborativePlan("rob", "g", (Compound(("a",)),), (Compound(("wash", "cup")),), (1,), (0,))
     assert part.to_json() == {"agent": "rob", "goal": "g", "waiting": ["a"], "actions": ["wash(cup)"]}
+
+
+def test_before_a_goal_is_predicted_every_figure_is_zero():
+    supervisor = Supervisor(reading(), "tiago")
+    figures = {"observed": 0, "missed": 0, "waiting": 0, "planned": 0}
+    assert supervisor.summary() == {"predicted": None, "prediction_time": None, **figures}
+    assert list(supervisor.update(1.0)) == [] and not supervisor.ready
