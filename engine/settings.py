@@ -9,6 +9,7 @@ from numbers import Integral
 from typing import Any, TypeVar
 
 from casper.kb.errors import DomainError
+from casper.kb.terms.numbers import as_float
 
 Rows = Callable[[str, int], Iterable[tuple[Any, ...]]]
 """``rows(name, arity)`` yields the tuples of constants of one predicate; an undefined one yields nothing."""
@@ -46,9 +47,10 @@ def number(value: Any, where: str) -> float:
     """
     if value in ("infinite", "inf"):
         return math.inf
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or math.isnan(value):
-        raise DomainError(f"{where}: {value!r} should be a number")
-    return float(value)
+    read = as_float(value)
+    if math.isnan(read):
+        raise DomainError(f"{where:.200}: {value!r:.40} should be a number")
+    return read
 
 
 def require(holds: bool, sentence: str) -> None:

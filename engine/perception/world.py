@@ -10,6 +10,7 @@ from typing import Any
 
 from casper.engine.perception.printing import world_lines
 from casper.kb.errors import WorldStateError
+from casper.kb.terms.numbers import as_float
 from casper.kb.text.lines import Line, one_line, text_of
 
 
@@ -106,8 +107,9 @@ def _number(entry: Mapping[str, Any], key: str, whose: str) -> float:
     value = entry.get(key)
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         raise WorldStateError(f'{whose} has no number under "{key}"')
-    if not math.isfinite(value):
-        raise WorldStateError(f'{whose} has {value} under "{key}"; coordinates must be finite numbers')
+    if not math.isfinite(as_float(value)):
+        shown = value if isinstance(value, float) else "a number too large"
+        raise WorldStateError(f'{whose} has {shown} under "{key}"; coordinates must be finite numbers')
     return float(value)
 
 

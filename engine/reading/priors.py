@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from casper.kb.errors import CasperError, Place
+from casper.kb.terms.numbers import as_float
 from casper.kb.terms.syntax import term_text
 
 TOLERANCE = 1e-6
@@ -39,9 +40,9 @@ def priors_of(
             raise CasperError(sentence, where)
         if name in stated and stated[name] != prior:
             raise CasperError(f"{name} has two priors, {stated[name]} and {prior}", where)
-        if isinstance(prior, bool) or not isinstance(prior, (int, float)) or not 0 < prior < math.inf:
-            raise CasperError(f"prior({name}, {prior}): a prior is a number above 0", where)
-        stated[name] = float(prior)
+        if not 0 < as_float(prior) <= 1 + TOLERANCE:
+            raise CasperError(f"prior({name}, {term_text(prior):.40}): a prior is a number above 0, at most 1", where)
+        stated[name] = as_float(prior)
     if not stated:
         return dict.fromkeys(labels, 1.0)
     lacking = [label for label in labels if label not in stated]

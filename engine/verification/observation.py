@@ -9,6 +9,7 @@ from difflib import get_close_matches
 from typing import Any, TypeAlias
 
 from casper.kb.errors import CasperError, PlanError
+from casper.kb.terms.numbers import as_float
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.text.reader import read_statement
@@ -78,10 +79,13 @@ def seen_of(observed: Observed, actions: Iterable[tuple[str, int]]) -> Seen:
         return observation_of(observed, actions)
     likelihoods: dict[Observation, float] = {}
     for option, likelihood in observed.items():
-        if isinstance(likelihood, bool) or not isinstance(likelihood, (int, float)) or not 0 < likelihood < math.inf:
-            raise CasperError(f"the likelihood of {option} is {likelihood!r}: it must be a number above 0")
+        weight = as_float(likelihood)
+        if not 0 < weight < math.inf:
+            raise CasperError(f"the likelihood of {option} is {likelihood!r:.40}: it must be a number above 0")
+        if weight > 1 + 1e-9:
+            raise CasperError(f"the likelihoods of an uncertain action must sum to at most 1, not {weight:g}")
         seen = observation_of(option, actions)
-        likelihoods[seen] = likelihoods.get(seen, 0.0) + likelihood
+        likelihoods[seen] = likelihoods.get(seen, 0.0) + weight
     total = math.fsum(likelihoods.values())
     if not 0 < total <= 1 + 1e-9:
         raise CasperError(f"the likelihoods of an uncertain action must sum to at most 1, not {total:g}")

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from casper.kb.errors import DomainError
+from casper.kb.terms.numbers import as_float
 from casper.sim_adapter.room.settings import HumanSettings, RobotSettings, SensorSettings, SimSettings, settings_from
 
 Rows = Callable[[str, int], Iterable[tuple[Any, ...]]]
@@ -202,6 +203,6 @@ def _one_of(name: str, value: Any, allowed: tuple[str, ...]) -> None:
 
 
 def _n(value: Any) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+    if not math.isfinite(as_float(value)):
         raise DomainError(f"the scene needs a number where it has {value!r:.40}")
-    return float(value)
+    return as_float(value)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields
 from typing import Any, TypeVar
 
 from casper.kb.errors import DomainError
+from casper.kb.terms.numbers import as_float
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +79,7 @@ def settings_from(kind: type[S], group: str, table: dict[tuple[str, str], Any]) 
             continue
         if name not in known:
             raise DomainError(f"setting({group}, {name}, …) is unknown; {group} has {', '.join(sorted(known))}")
-        if isinstance(value, bool) or not isinstance(value, (int, float)) or not value >= 0:
-            raise DomainError(f"setting({group}, {name}, {value}) must be a number of zero or more")
-        values[name] = float(value)
+        if not as_float(value) >= 0:
+            raise DomainError(f"setting({group}, {name}, {value!s:.40}) must be a number of zero or more")
+        values[name] = as_float(value)
     return kind(**values)
