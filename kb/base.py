@@ -20,8 +20,7 @@ from casper.kb.reasons.validity import History, Verdict, valid_instances, verify
 from casper.kb.reasons.why import prove
 from casper.kb.reasons.why_not import Refusal, Violation, attempts
 from casper.kb.relations.relation import Row
-from casper.kb.store.clause_store import MOST_INDEXED, NO_HISTORY, ClauseStore, Statement
-from casper.kb.store.model import Model
+from casper.kb.store.clause_store import MOST_INDEXED, NO_HISTORY, ClauseStore, Statement, of_one_moment
 from casper.kb.terms.clauses import SYSTEM, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable, predication
 from casper.kb.terms.unification import is_ground, substitute
@@ -32,7 +31,10 @@ _query_of_text = lru_cache(maxsize=1024)(read_query)
 
 
 class KnowledgeBase(ClauseStore):
-    """Relations that answer in every direction, with reasons."""
+    """Relations that answer in every direction, with reasons.
+
+    Every question sees one state, whatever other threads change meanwhile; so do several questions of one `snapshot`.
+    """
 
     # --- questions -------------------------------------------------------------------------------------------------
 
@@ -51,35 +53,38 @@ class KnowledgeBase(ClauseStore):
 
     def _asked(self, statement: Statement) -> bool:
         """What the index of true statements does not know."""
-        model = self._cached or self._model
-        if self._index_in is not None:
-            self._index_in -= 1
-            if self._index_in < 0:
-                self._index(model)
         if isinstance(statement, str):
             statement = self._statement(statement)
-        relation = model.relations.get((statement[0], len(statement) - 1))
+        left = self._index_in
+        if left is not None:
+            self._index_in = left - 1
+            if left <= 0:
+                self._index()
+        ended, found = self._ended, None
+        relation = (self._cached or self._model).relations.get((statement[0], len(statement) - 1))
         if relation is not None:
             row = statement[1:]
-            if row in relation:
-                return True
-            for value in row:
-                if type(value) is not str:
-                    break
-            else:
-                return False  # every part is a name, so there is nothing to look for
-        atom = self._statement(statement)
-        if relation is not None and is_ground(atom):
-            return atom.args in relation
-        return next(self.instances(atom), None) is not None
+            found = row in relation
+            if not found:
+                for value in row:
+                    if type(value) is not str:  # a row of names is not there; of others it depends on what they are
+                        atom = self._statement(statement)
+                        found = atom.args in relation if is_ground(atom) else None
+                        break
+        if self._begun != ended:  # somebody was half-way through a change: once more, when they are done
+            with self.lock:
+                return self._asked(statement)
+        return next(self.instances(statement), None) is not None if found is None else found
 
-    def _index(self, model: Model) -> None:
+    def _index(self) -> None:
         """One set of every stored statement that holds, where there are not too many: the fast way to a yes."""
-        self._index_in = None
-        if sum(map(len, model.relations.values())) <= MOST_INDEXED:
-            stored = model.relations.items()
-            self._true = {(name, *row) for (name, _), relation in stored for row in relation}
+        with self.lock:
+            self._index_in, model = None, self._model
+            if sum(map(len, model.relations.values())) <= MOST_INDEXED:
+                stored = model.relations.items()
+                self._true = {(name, *row) for (name, _), relation in stored for row in relation}
 
+    @of_one_moment
     def query(
         self,
         goal: str,
@@ -130,6 +135,7 @@ class KnowledgeBase(ClauseStore):
                     seen.add(row)
                     yield {name.name: value for name, value in zip(names, row)}
 
+    @of_one_moment
     def instances(self, statement: Statement) -> Iterator[Compound]:
         """Every instance of one atom that holds, lazily, each once; a part that may be anything stays a variable."""
         atom = self._statement(statement)
@@ -141,6 +147,7 @@ class KnowledgeBase(ClauseStore):
                 seen.add(instance)
                 yield instance
 
+    @of_one_moment
     def rows(self, name: str, arity: int) -> Iterator[Row]:
         """The rows of a predicate as tuples of constants; none when it is not defined."""
         if (name, arity) in self._model.program.clauses:
@@ -153,6 +160,7 @@ class KnowledgeBase(ClauseStore):
 
     # --- reasons ---------------------------------------------------------------------------------------------------
 
+    @of_one_moment
     def why(self, statement: Statement) -> Proof | None:
         """A proof of the statement (of its first instance, where it has unknown parts), or None when it fails."""
         atom = self._statement(statement)
@@ -164,6 +172,7 @@ class KnowledgeBase(ClauseStore):
             atom = first
         return prove(atom, self._model.proofs, self.solver(), self._model.given)
 
+    @of_one_moment
     def why_not(self, statement: Statement, history: History = NO_HISTORY) -> Refusal | None:
         """Why the statement is not provable or not valid; None when it is both."""
         atom = self._statement(statement)
@@ -190,6 +199,7 @@ class KnowledgeBase(ClauseStore):
     def _history(self, history: History) -> History:
         return [(self._statement(statement), seconds) for statement, seconds in history]
 
+    @of_one_moment
     def verify(self, statement: Statement, history: History = NO_HISTORY) -> Verdict:
         """Judge a statement: provable, and no constraint broken when it is claimed after the history.
 
@@ -204,10 +214,12 @@ class KnowledgeBase(ClauseStore):
             return verdict
         return Verdict(atom, False, atom, self.why_not(atom, history))
 
+    @of_one_moment
     def repair(self, statement: Statement, history: History = NO_HISTORY, limit: int = 3) -> list[Repair]:
         """The smallest changes of base facts that make the statement valid; none for one that is, or beyond mending."""
         return repairs(self, self._statement(statement), history, limit)
 
+    @of_one_moment
     def broken(self) -> Sequence[Violation]:
         """The constraints that the facts alone break."""
         return self._model.constraints.always
