@@ -18,7 +18,7 @@ from casper.engine.explanation.situation import Situation
 from casper.engine.reading.policy import policy_named
 from casper.engine.reading.priors import priors_of
 from casper.engine.reading.reading import Reading
-from casper.engine.recognition.recognisers import Options
+from casper.engine.recognition.options import Options
 from casper.engine.recognition.scoring import score_named
 from casper.engine.verification.matching import Matcher, Mismatch, NameMatcher, ParameterMatcher, bindings_of
 from casper.engine.verification.verified_matching import VerifyingMatcher, settle

@@ -17,12 +17,10 @@ from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.reading.outlook import Outlook
 from casper.engine.reading.policy import Policy, strict
 from casper.engine.reading.questions import Question, questions
-from casper.engine.recognition.noisy_pairs import NoisyPairs
-from casper.engine.recognition.pairs import Pairs
-from casper.engine.recognition.recognisers import PAPER, Options, Recogniser, recogniser
-from casper.engine.recognition.replay import Replay
+from casper.engine.recognition.choice import recogniser
+from casper.engine.recognition.options import PAPER, Options
 from casper.engine.verification.matching import Matcher
-from casper.engine.verification.observation import Observed, Seen, Uncertain, options_of, seen_of
+from casper.engine.verification.observation import Observed, Seen, options_of, seen_of
 from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
@@ -57,7 +55,7 @@ class Reading:
         self.library, self.policy, self.options = library, policy, options
         self._actions = list(library.actions)
         self._capability = capability
-        self._engine: Recogniser = recogniser(library.ways, matcher, options)
+        self._engine = recogniser(library.ways, matcher, options)
         self._read: dict[str, Seen] = {}  # texts that were observed before
         self._numbers: dict[str, list[int]] = {}  # each goal's plans
         for number, plan in enumerate(library.ways):
@@ -77,10 +75,6 @@ class Reading:
             CasperError: likelihoods that are none, or more explanations than can be weighed.
         """
         seen = self._seen(observed)
-        if isinstance(seen, Uncertain) and isinstance(self._engine, Replay):
-            self._engine = self._engine.counting()
-        elif isinstance(seen, Uncertain) and isinstance(self._engine, (Pairs, NoisyPairs)):
-            self._engine = self._engine.interleaving()
         self._engine.observe(seen)
         if len(self._engine.observations) > WEIGHABLE and self._engine.count.bit_length() > MOST_BITS:
             self._engine.undo()

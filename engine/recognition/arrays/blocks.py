@@ -15,7 +15,7 @@ from math import comb
 from threading import Lock
 from typing import Any
 
-from casper.engine.recognition.arrays import Array
+from casper.engine.recognition.arrays.shared import Array
 from casper.plans.trees.plan import Plan
 
 
