@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
 from threading import Lock
@@ -69,6 +69,10 @@ class Domain:
         sentences = {file.name: sources.sentences(file) for file in possible if file.is_file()}
         files = tuple(dict.fromkeys(sources.files))
         return replace(build(folder.name, folder, sentences), files=files, fingerprint=fingerprint([*possible, *files]))
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Its fields alone: readings, and what was worked out for them, are made anew where it arrives."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @property
     def partner(self) -> str:
