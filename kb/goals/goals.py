@@ -14,11 +14,11 @@ from typing import Any, Protocol, TypeAlias
 from unification import Var, isvar, reify, unify, var
 from unification.core import _reify, _reify_Iterable_ctor
 
+from casper.kb.goals.occurs import State, unified
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Indicator
 from casper.kb.terms.terms import Compound, Term, Variable
 
-State: TypeAlias = Any  # a mapping of kanren variables, perhaps a ConstrainedState
 Goal: TypeAlias = Callable[[State], Iterator[State]]
 
 
@@ -143,7 +143,7 @@ def _derived(base: Answering, name: str, args: Row, state: State) -> Iterator[St
     atom = Compound([name, *(_to_solver(arg, names) for arg in args)])
     for answer in base.instances(atom):
         fresh: dict[Variable, Var] = {}
-        extended = unify(tuple(args), tuple(_to_kanren(part, fresh) for part in answer.args), state)
+        extended = unified(tuple(args), tuple(_to_kanren(part, fresh) for part in answer.args), state)
         if extended is not False:
             yield extended
 
