@@ -11,6 +11,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from difflib import get_close_matches
 from functools import lru_cache
+from typing import TYPE_CHECKING, Any
 
 from casper.kb.goals.goals import Predicate
 from casper.kb.program.refusals import check_defined, undefined_sentence
@@ -26,6 +27,9 @@ from casper.kb.terms.terms import Compound, Term, Variable, predication
 from casper.kb.terms.unification import is_ground, substitute
 from casper.kb.text.reader import read_query
 from casper.kb.top_down.solve import DEFAULT_BUDGET
+
+if TYPE_CHECKING:
+    from casper.kb.tables.answers import Answers
 
 _query_of_text = lru_cache(maxsize=1024)(read_query)
 
@@ -157,6 +161,55 @@ class KnowledgeBase(ClauseStore):
             else:
                 pattern = Compound([name, *(Variable(f"X{at}") for at in range(arity))])
                 yield from (answer.args for answer in self.instances(pattern) if is_ground(answer))
+
+    @of_one_moment
+    def table(
+        self,
+        goal: str,
+        *,
+        timeout: float | None = None,
+        budget: int = DEFAULT_BUDGET,
+        cancelled: Callable[[], bool] | None = None,
+    ) -> Answers:
+        """All answers to a query as columns: ``kb.table("eat(A, T, D)").columns["A"]`` is an array.
+
+        One atom of a stored predicate is read off its rows; those of a large program never become Python tuples. Any
+        other query is answered as by `query`, which also says what the arguments mean and what is raised.
+        """
+        from casper.kb.tables.answers import of_answers, of_stored  # numpy is loaded for those who ask for it
+
+        answers = self.query(goal, timeout=timeout, budget=budget, cancelled=cancelled)  # checks the goal; lazy
+        alternatives = _query_of_text(goal)
+        if len(alternatives) == 1 and len(alternatives[0]) == 1:
+            [literal] = alternatives[0]
+            relation = None if literal.negated or literal.is_comparison else self.stored(literal.atom.indicator)
+            found = None if relation is None else of_stored(literal.atom, relation)
+            if found is not None:
+                return found
+        variables = dict.fromkeys(v.name for body in alternatives for literal in body for v in literal.variables())
+        return of_answers([name for name in variables if not name.startswith("_")], answers)
+
+    def facts(self, name: str, rows: Any, *, header: bool = True) -> None:
+        """Load many facts of one predicate: ``kb.facts("edge", [("a", "b"), ("b", "c")])``, ``kb.facts("edge", path)``.
+
+        Args:
+            name: the predicate; its arity is the number of columns.
+            rows: rows of constants, a numpy array (one or two dimensions, or structured), a pandas data frame, an Arrow
+                table, or the path of a ``.csv``, ``.tsv`` or ``.parquet`` file.
+            header: whether the first line of a CSV file names the columns.
+
+        Raises:
+            ProgramError: rows of different lengths, or something in them that is no constant, with row and column.
+            ReadError: a file that cannot be read, with its line. CasperError: the library for it is not installed.
+        """
+        from casper.kb.tables.sources import rows_of
+
+        found, columns = rows_of(rows, header)
+        if columns is not None:  # defined even without a row
+            with self._changing():
+                self._dynamic.add((name, columns))
+                self._forget()
+        super().facts(name, found)
 
     # --- reasons ---------------------------------------------------------------------------------------------------
 

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from casper.kb.relations.columns import Interner, Table, code
+from casper.kb.relations.columns import Ids, Interner, Table, code
 from casper.kb.relations.relation import Relation, Row
+from casper.kb.terms.terms import Term
 
 
 class ColumnRelation(Relation):
@@ -34,6 +35,11 @@ class ColumnRelation(Relation):
     @rows.setter
     def rows(self, rows: dict[Row, int]) -> None:
         self._decoded = rows
+
+    def interned(self) -> tuple[list[Ids], list[Term]] | None:
+        """The columns of numbers, with the constants they stand for; None once the rows were decoded."""
+        table = self._table
+        return None if table is None else (table.all_rows(), self._interner.constants)
 
     def _decode(self, table: Table) -> dict[Row, int]:
         constants = self._interner.constants
