@@ -12,9 +12,10 @@ from typing import Any
 
 from cons import cons
 from cons.core import ConsNull, ConsPair
-from kanren import constraints
+from kanren import constraints, core
 from kanren import goals as theirs
 from unification import reify, var
+from unification.core import isground
 
 from casper.kb.goals.streams import Goal, Staged, State, conde, eq, lall
 
@@ -116,10 +117,14 @@ def rembero(state: State, x: Any, coll: Any, left: Any, default_ConsNull: type =
     )
 
 
-@wraps(theirs.permuteo)
-def permuteo(a: Any, b: Any, inner_eq: Any = eq, default_ConsNull: type = list, no_ident: bool = False) -> Goal:
+@_staged
+def permuteo(
+    state: State, a: Any, b: Any, inner_eq: Any = eq, default_ConsNull: type = list, no_ident: bool = False
+) -> Goal:
     """One sequence has the items of the other, in any order."""
     permuted: Any = theirs.permuteo
+    if inner_eq is eq and isground(a, state) and isground(b, state):
+        inner_eq = core.eq  # by which kanren knows that a single look will do
     goal: Goal = permuted(a, b, inner_eq, default_ConsNull, no_ident)
     return goal
 

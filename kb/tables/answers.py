@@ -141,8 +141,10 @@ def _has_constant(atom: Compound) -> bool:
 
 
 def _decoded(column: Ids, constants: Sequence[Term]) -> Column:
-    used, places = np.unique(column, return_inverse=True)
-    taken: Column = typed([constants[number] for number in used.tolist()])[places]
+    used = np.flatnonzero(np.bincount(column, minlength=len(constants)))
+    places = np.empty(len(constants), np.int64)
+    places[used] = np.arange(len(used))
+    taken: Column = typed([constants[number] for number in used.tolist()])[places[column]]
     return taken
 
 
