@@ -29,7 +29,7 @@ from casper.kb.text.reader import read_query
 from casper.kb.top_down.solve import DEFAULT_BUDGET
 
 if TYPE_CHECKING:
-    from casper.kb.tables.answers import Answers
+    from casper.kb.relations.tables.answers import Answers
 
 _query_of_text = lru_cache(maxsize=1024)(read_query)
 
@@ -125,18 +125,20 @@ class KnowledgeBase(ClauseStore):
         budget: int,
         cancelled: Callable[[], bool] | None,
     ) -> Iterator[dict[str, Term]]:
-        seen: set[Row] = set()
+        seen: set[tuple[tuple[Variable, ...], Row]] = set()
+        everyone = dict.fromkeys(v for body in alternatives for x in body for v in x.variables())
         solver = self.solver(budget)
         solver.deadline = None if timeout is None else time.monotonic() + timeout
         solver.cancelled = cancelled
         for body in alternatives:
-            names = [v for v in dict.fromkeys(v for x in body for v in x.variables()) if not v.name.startswith("_")]
+            here = {v for x in body for v in x.variables()}
+            names = tuple([v for v in everyone if v in here and not v.name.startswith("_")])
             for solution in solver.solve(body):
                 row = tuple(substitute(name, solution) for name in names)
-                if row not in seen:
+                if (names, row) not in seen:
                     if limit is not None and len(seen) >= limit:
                         return
-                    seen.add(row)
+                    seen.add((names, row))
                     yield {name.name: value for name, value in zip(names, row)}
 
     @of_one_moment
@@ -176,7 +178,7 @@ class KnowledgeBase(ClauseStore):
         One atom of a stored predicate is read off its rows; those of a large program never become Python tuples. Any
         other query is answered as by `query`, which also says what the arguments mean and what is raised.
         """
-        from casper.kb.tables.answers import of_answers, of_stored  # numpy is loaded for those who ask for it
+        from casper.kb.relations.tables.answers import of_answers, of_stored  # numpy is loaded for those who ask for it
 
         answers = self.query(goal, timeout=timeout, budget=budget, cancelled=cancelled)  # checks the goal; lazy
         alternatives = _query_of_text(goal)
@@ -202,7 +204,7 @@ class KnowledgeBase(ClauseStore):
             ProgramError: rows of different lengths, or something in them that is no constant, with row and column.
             ReadError: a file that cannot be read, with its line. CasperError: the library for it is not installed.
         """
-        from casper.kb.tables.sources import rows_of
+        from casper.kb.relations.tables.sources import rows_of
 
         found, columns = rows_of(rows, header)
         if columns is not None:  # defined even without a row

@@ -27,7 +27,8 @@ def unified(left: Any, right: Any, state: State) -> Any:
     """The state in which both are the same; False when there is none (kanren's word for failure)."""
     data = state.data if isinstance(state, ConstrainedState) else state
     if type(data) is dict:
-        left, right = walk(left, data), walk(right, data)
+        left = walk(left, data) if isvar(left) else left
+        right = walk(right, data) if isvar(right) else right
         if type(data) is type(state) and type(right) in _PLAIN and isvar(left):
             return {**data, left: right}
     if left is right:

@@ -15,8 +15,8 @@ from programs import programs
 from casper.kb.base import KnowledgeBase
 from casper.kb.bottom_up import materialise as fixpoints
 from casper.kb.errors import CasperError, ProgramError
-from casper.kb.tables import libraries
-from casper.kb.tables.answers import typed
+from casper.kb.relations.tables import libraries
+from casper.kb.relations.tables.answers import typed
 from casper.kb.terms.terms import Compound, Variable
 
 VALUES = ("a", "b", 1, 2, 0.5)

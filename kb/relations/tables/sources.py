@@ -13,8 +13,8 @@ from typing import Any
 
 from casper.kb.errors import Place, ProgramError, ReadError
 from casper.kb.relations.relation import Row
-from casper.kb.tables.csv_rows import csv_rows
-from casper.kb.tables.libraries import needed
+from casper.kb.relations.tables.csv_rows import csv_rows
+from casper.kb.relations.tables.libraries import needed
 from casper.kb.terms.terms import Term
 
 _PLAIN = frozenset((str, int))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import math
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -79,9 +80,10 @@ def _cells(cells: list[str], place: Place) -> tuple[Term, ...]:
 def _value(cell: str, place: Place) -> Term:
     if not _NUMBER.fullmatch(cell):
         return cell
-    if cell.lstrip("-").isdigit() and len(cell) < 19:
+    digits = cell.lstrip("-")
+    if digits.isdigit() and len(digits) <= 18:  # as many as the language reads
         return int(cell)
     value = float(cell)
-    if value in (float("inf"), float("-inf")) or cell.lstrip("-").isdigit():
+    if math.isinf(value) or digits.isdigit():
         raise ReadError(f"{cell} is too large for a number here; put it in another form, or make it a name", place)
     return value

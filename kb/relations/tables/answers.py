@@ -13,7 +13,7 @@ from casper.kb.errors import CasperError
 from casper.kb.relations.column_relation import ColumnRelation
 from casper.kb.relations.columns import Ids
 from casper.kb.relations.relation import Relation
-from casper.kb.tables.libraries import needed
+from casper.kb.relations.tables.libraries import needed
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import is_ground
 
