@@ -29,7 +29,7 @@ def floors(house: str) -> list[list[str]]:
         if contract.get("containers") == [f"casper.{house}"]:
             return [layer.split(" | ") for layer in reversed(contract["layers"])]
     folder = FOLDERS.get(house, ROOT / house)
-    names = sorted(p.stem for p in folder.iterdir() if p.suffix == ".py" and p.stem != "__init__" or _is_room(p))
+    names = sorted(p.stem for p in folder.iterdir() if (p.suffix == ".py" and p.stem != "__init__") or _is_room(p))
     return [[name] for name in names]
 
 

@@ -11,6 +11,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from difflib import get_close_matches
 from functools import lru_cache
+from typing import TYPE_CHECKING, Any
 
 from casper.kb.goals.goals import Predicate
 from casper.kb.program.refusals import check_defined, undefined_sentence
@@ -20,19 +21,24 @@ from casper.kb.reasons.validity import History, Verdict, valid_instances, verify
 from casper.kb.reasons.why import prove
 from casper.kb.reasons.why_not import Refusal, Violation, attempts
 from casper.kb.relations.relation import Row
-from casper.kb.store.clause_store import MOST_INDEXED, NO_HISTORY, ClauseStore, Statement
-from casper.kb.store.model import Model
+from casper.kb.store.clause_store import MOST_INDEXED, NO_HISTORY, ClauseStore, Statement, of_one_moment
 from casper.kb.terms.clauses import SYSTEM, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable, predication
 from casper.kb.terms.unification import is_ground, substitute
 from casper.kb.text.reader import read_query
 from casper.kb.top_down.solve import DEFAULT_BUDGET
 
+if TYPE_CHECKING:
+    from casper.kb.relations.tables.answers import Answers
+
 _query_of_text = lru_cache(maxsize=1024)(read_query)
 
 
 class KnowledgeBase(ClauseStore):
-    """Relations that answer in every direction, with reasons."""
+    """Relations that answer in every direction, with reasons.
+
+    Every question sees one state, whatever other threads change meanwhile; so do several questions of one `snapshot`.
+    """
 
     # --- questions -------------------------------------------------------------------------------------------------
 
@@ -51,35 +57,38 @@ class KnowledgeBase(ClauseStore):
 
     def _asked(self, statement: Statement) -> bool:
         """What the index of true statements does not know."""
-        model = self._cached or self._model
-        if self._index_in is not None:
-            self._index_in -= 1
-            if self._index_in < 0:
-                self._index(model)
         if isinstance(statement, str):
             statement = self._statement(statement)
-        relation = model.relations.get((statement[0], len(statement) - 1))
+        left = self._index_in
+        if left is not None:
+            self._index_in = left - 1
+            if left <= 0:
+                self._index()
+        ended, found = self._ended, None
+        relation = (self._cached or self._model).relations.get((statement[0], len(statement) - 1))
         if relation is not None:
             row = statement[1:]
-            if row in relation:
-                return True
-            for value in row:
-                if type(value) is not str:
-                    break
-            else:
-                return False  # every part is a name, so there is nothing to look for
-        atom = self._statement(statement)
-        if relation is not None and is_ground(atom):
-            return atom.args in relation
-        return next(self.instances(atom), None) is not None
+            found = row in relation
+            if not found:
+                for value in row:
+                    if type(value) is not str:  # a row of names is not there; of others it depends on what they are
+                        atom = self._statement(statement)
+                        found = atom.args in relation if is_ground(atom) else None
+                        break
+        if self._begun != ended:  # somebody was half-way through a change: once more, when they are done
+            with self.lock:
+                return self._asked(statement)
+        return next(self.instances(statement), None) is not None if found is None else found
 
-    def _index(self, model: Model) -> None:
+    def _index(self) -> None:
         """One set of every stored statement that holds, where there are not too many: the fast way to a yes."""
-        self._index_in = None
-        if sum(map(len, model.relations.values())) <= MOST_INDEXED:
-            stored = model.relations.items()
-            self._true = {(name, *row) for (name, _), relation in stored for row in relation}
+        with self.lock:
+            self._index_in, model = None, self._model
+            if sum(map(len, model.relations.values())) <= MOST_INDEXED:
+                stored = model.relations.items()
+                self._true = {(name, *row) for (name, _), relation in stored for row in relation}
 
+    @of_one_moment
     def query(
         self,
         goal: str,
@@ -116,20 +125,23 @@ class KnowledgeBase(ClauseStore):
         budget: int,
         cancelled: Callable[[], bool] | None,
     ) -> Iterator[dict[str, Term]]:
-        seen: set[Row] = set()
+        seen: set[tuple[tuple[Variable, ...], Row]] = set()
+        everyone = dict.fromkeys(v for body in alternatives for x in body for v in x.variables())
         solver = self.solver(budget)
         solver.deadline = None if timeout is None else time.monotonic() + timeout
         solver.cancelled = cancelled
         for body in alternatives:
-            names = [v for v in dict.fromkeys(v for x in body for v in x.variables()) if not v.name.startswith("_")]
+            here = {v for x in body for v in x.variables()}
+            names = tuple([v for v in everyone if v in here and not v.name.startswith("_")])
             for solution in solver.solve(body):
                 row = tuple(substitute(name, solution) for name in names)
-                if row not in seen:
+                if (names, row) not in seen:
                     if limit is not None and len(seen) >= limit:
                         return
-                    seen.add(row)
+                    seen.add((names, row))
                     yield {name.name: value for name, value in zip(names, row)}
 
+    @of_one_moment
     def instances(self, statement: Statement) -> Iterator[Compound]:
         """Every instance of one atom that holds, lazily, each once; a part that may be anything stays a variable."""
         atom = self._statement(statement)
@@ -141,6 +153,7 @@ class KnowledgeBase(ClauseStore):
                 seen.add(instance)
                 yield instance
 
+    @of_one_moment
     def rows(self, name: str, arity: int) -> Iterator[Row]:
         """The rows of a predicate as tuples of constants; none when it is not defined."""
         if (name, arity) in self._model.program.clauses:
@@ -151,8 +164,58 @@ class KnowledgeBase(ClauseStore):
                 pattern = Compound([name, *(Variable(f"X{at}") for at in range(arity))])
                 yield from (answer.args for answer in self.instances(pattern) if is_ground(answer))
 
+    @of_one_moment
+    def table(
+        self,
+        goal: str,
+        *,
+        timeout: float | None = None,
+        budget: int = DEFAULT_BUDGET,
+        cancelled: Callable[[], bool] | None = None,
+    ) -> Answers:
+        """All answers to a query as columns: ``kb.table("eat(A, T, D)").columns["A"]`` is an array.
+
+        One atom of a stored predicate is read off its rows; those of a large program never become Python tuples. Any
+        other query is answered as by `query`, which also says what the arguments mean and what is raised.
+        """
+        from casper.kb.relations.tables.answers import of_answers, of_stored  # numpy is loaded for those who ask for it
+
+        answers = self.query(goal, timeout=timeout, budget=budget, cancelled=cancelled)  # checks the goal; lazy
+        alternatives = _query_of_text(goal)
+        if len(alternatives) == 1 and len(alternatives[0]) == 1:
+            [literal] = alternatives[0]
+            relation = None if literal.negated or literal.is_comparison else self.stored(literal.atom.indicator)
+            found = None if relation is None else of_stored(literal.atom, relation)
+            if found is not None:
+                return found
+        variables = dict.fromkeys(v.name for body in alternatives for literal in body for v in literal.variables())
+        return of_answers([name for name in variables if not name.startswith("_")], answers)
+
+    def facts(self, name: str, rows: Any, *, header: bool = True) -> None:
+        """Load many facts of one predicate: ``kb.facts("edge", [("a", "b"), ("b", "c")])``, ``kb.facts("edge", path)``.
+
+        Args:
+            name: the predicate; its arity is the number of columns.
+            rows: rows of constants, a numpy array (one or two dimensions, or structured), a pandas data frame, an Arrow
+                table, or the path of a ``.csv``, ``.tsv`` or ``.parquet`` file.
+            header: whether the first line of a CSV file names the columns.
+
+        Raises:
+            ProgramError: rows of different lengths, or something in them that is no constant, with row and column.
+            ReadError: a file that cannot be read, with its line. CasperError: the library for it is not installed.
+        """
+        from casper.kb.relations.tables.sources import rows_of
+
+        found, columns = rows_of(rows, header)
+        if columns is not None:  # defined even without a row
+            with self._changing():
+                self._dynamic.add((name, columns))
+                self._forget()
+        super().facts(name, found)
+
     # --- reasons ---------------------------------------------------------------------------------------------------
 
+    @of_one_moment
     def why(self, statement: Statement) -> Proof | None:
         """A proof of the statement (of its first instance, where it has unknown parts), or None when it fails."""
         atom = self._statement(statement)
@@ -164,6 +227,7 @@ class KnowledgeBase(ClauseStore):
             atom = first
         return prove(atom, self._model.proofs, self.solver(), self._model.given)
 
+    @of_one_moment
     def why_not(self, statement: Statement, history: History = NO_HISTORY) -> Refusal | None:
         """Why the statement is not provable or not valid; None when it is both."""
         atom = self._statement(statement)
@@ -190,6 +254,7 @@ class KnowledgeBase(ClauseStore):
     def _history(self, history: History) -> History:
         return [(self._statement(statement), seconds) for statement, seconds in history]
 
+    @of_one_moment
     def verify(self, statement: Statement, history: History = NO_HISTORY) -> Verdict:
         """Judge a statement: provable, and no constraint broken when it is claimed after the history.
 
@@ -204,10 +269,12 @@ class KnowledgeBase(ClauseStore):
             return verdict
         return Verdict(atom, False, atom, self.why_not(atom, history))
 
+    @of_one_moment
     def repair(self, statement: Statement, history: History = NO_HISTORY, limit: int = 3) -> list[Repair]:
         """The smallest changes of base facts that make the statement valid; none for one that is, or beyond mending."""
         return repairs(self, self._statement(statement), history, limit)
 
+    @of_one_moment
     def broken(self) -> Sequence[Violation]:
         """The constraints that the facts alone break."""
         return self._model.constraints.always

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 from casper.kb.errors import Place, PlanError
 from casper.kb.terms.clauses import Clause, Production, Sentence
@@ -47,6 +48,10 @@ class PlanLibrary:
         self._plans: tuple[Plan, ...] | None = None
         self._ways: tuple[Plan, ...] | None = None
         self.add(sentences)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The grammar alone: it is expanded anew where it arrives."""
+        return {**self.__dict__, "_plans": None, "_ways": None}
 
     @classmethod
     def from_text(cls, text: str, file: str = "<text>") -> PlanLibrary:

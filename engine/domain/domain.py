@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
 from threading import Lock
@@ -74,6 +74,10 @@ class Domain:
         sentences = {file.name: sources.sentences(file) for file in possible if is_there(file)}
         files = tuple(dict.fromkeys(sources.files))
         return replace(build(folder.name, folder, sentences), files=files, fingerprint=fingerprint([*possible, *files]))
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Its fields alone: readings, and what was worked out for them, are made anew where it arrives."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}
 
     def lines(self) -> Iterator[Line]:
         """What a person is shown."""

@@ -15,13 +15,14 @@ from typing import Any
 
 from casper.engine.collaboration.collaboration import Capability, CollaborativePlan, collaborative_plan
 from casper.engine.explanation.explanation import Explanation, Interleaved
+from casper.engine.explanation.situation import Situation
 from casper.engine.reading.outlook import Outlook
 from casper.engine.reading.policy import Policy, strict
 from casper.engine.reading.printing import reading_lines, reading_name
 from casper.engine.reading.questions import Question, questions
 from casper.engine.recognition.choice import recogniser
 from casper.engine.recognition.options import PAPER, Options
-from casper.engine.verification.matching import Matcher
+from casper.engine.verification.matching import Matcher, Recipe
 from casper.engine.verification.observation import Observed, Seen, options_of, seen_of
 from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
@@ -31,6 +32,11 @@ from casper.plans.library import PlanLibrary
 
 WEIGHABLE = 300  # observations up to which there are not too many explanations to be weighed
 MOST_BITS = 1000  # of a count that floats can weigh
+
+
+def nobody_can(situation: Situation, leaf: int, agent: str) -> tuple[Compound, bool]:
+    """The capability of those of whom nothing is known."""
+    return situation.leaves[leaf], False
 
 
 class Reading:
@@ -52,12 +58,13 @@ class Reading:
         library: PlanLibrary,
         matcher: Matcher,
         policy: Policy = strict,
-        capability: Capability = lambda situation, leaf, agent: (situation.leaves[leaf], False),
+        capability: Capability = nobody_can,
         options: Options = PAPER,
     ) -> None:
         self.library, self.policy, self.options = library, policy, options
         self._actions = list(library.actions)
         self._capability = capability
+        self._unused = matcher.fork()  # as it was before anything was observed
         self._engine = recogniser(library.ways, matcher, options)
         self._read: dict[str, Seen] = {}  # texts that were observed before
         self._numbers: dict[str, list[int]] = {}  # each goal's plans
@@ -97,6 +104,14 @@ class Reading:
         other.__dict__.update(self.__dict__)
         other._engine, other._rejected = self._engine.fork(), list(self._rejected)
         return other
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """By what it was made of and what was observed, which is observed again where it arrives.
+
+        So it says what the knowledge base says there and then; what was counted is never sent.
+        """
+        recipe: Recipe | Matcher = getattr(self._unused, "recipe", self._unused)
+        return _resumed, (self.library, recipe, self.policy, self._capability, self.options, self.observations)
 
     def undo(self) -> None:
         """Take back the last observation.
@@ -272,3 +287,19 @@ class Reading:
         if not names.intersection(actions):
             return (f"{label} has no {' or '.join(actions)}",)
         return (f"no {' or '.join(actions)} is left in {label} after what was observed",)
+
+
+def _resumed(
+    library: PlanLibrary,
+    recipe: Recipe | Matcher,
+    policy: Policy,
+    capability: Capability,
+    options: Options,
+    observations: Sequence[Seen],
+) -> Reading:
+    """A reading in which everything is observed again."""
+    matcher = recipe[0](library.ways, *recipe[1:]) if isinstance(recipe, tuple) else recipe
+    reading = Reading(library, matcher, policy, capability, options)
+    for seen in observations:
+        reading.observe(seen)
+    return reading

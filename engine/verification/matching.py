@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 from casper.engine.verification.observation import Observation
 from casper.kb.terms.syntax import term_text
@@ -18,6 +18,7 @@ from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute
 from casper.plans.trees.plan import Plan
 
 Binding: TypeAlias = tuple[Term | None, ...]
+Recipe: TypeAlias = tuple[Any, ...]  # what makes a matcher, and what it takes besides the plans
 
 
 class Mismatch:
@@ -82,6 +83,11 @@ class NameMatcher:
     def __init__(self, plans: Sequence[Plan]) -> None:
         self.plans = plans
 
+    @property
+    def recipe(self) -> Recipe:
+        """How another process makes one for the same plans."""
+        return (NameMatcher,)
+
     def initial(self, plan: int) -> Binding | Mismatch:
         """Nothing is ever known of parameters."""
         return ()
@@ -110,6 +116,11 @@ class ParameterMatcher:
     def __init__(self, plans: Sequence[Plan]) -> None:
         self.plans = plans
         self._slots: dict[int, list[tuple[Slot, ...] | None]] = {}  # by plan and leaf; None: not plain
+
+    @property
+    def recipe(self) -> Recipe:
+        """How another process makes one for the same plans."""
+        return (ParameterMatcher,)
 
     def initial(self, plan: int) -> Binding | Mismatch:
         """No parameter is known."""

@@ -14,6 +14,7 @@ from casper.engine.verification.matching import (
     Matcher,
     Mismatch,
     ParameterMatcher,
+    Recipe,
     Refused,
     binding_of,
     bindings_of,
@@ -40,6 +41,11 @@ class VerifyingMatcher(ParameterMatcher):
         self.kb, self.partner = kb, partner
         self._histories: list[tuple[tuple[Compound, float], ...]] = [()]  # after each observation
         self._forget()
+
+    @property
+    def recipe(self) -> Recipe:
+        """How another process makes one for the same plans."""
+        return VerifyingMatcher, self.kb, self.partner
 
     def _forget(self) -> None:
         self._changes, self._looks_back = self.kb.changes, self.kb.depends_on_history

@@ -15,10 +15,11 @@ from casper.kb.terms.comparison import compare, is_ready
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, variables_of
 
-Environment: TypeAlias = list[Term]
+Environment: TypeAlias = list[Any]  # relations, delta rows and emit; then a value for each slot
 Step: TypeAlias = Callable[[Environment], None]
 Slots: TypeAlias = dict[Variable, int]
 Emit: TypeAlias = Callable[[Row], None]
+_CONTEXT = 3  # entries before the first slot: a join keeps nothing of a run, since several threads may run it
 NOBODY: frozenset[Variable] = frozenset()
 
 
@@ -37,8 +38,9 @@ class Join:
         self, clause: Clause, delta_at: int | None = None, *, bound_head: bool = False, negations: bool = True
     ) -> None:
         self.clause = clause
-        self._slots: Slots = {variable: at for at, variable in enumerate(clause.variables())}
-        self._context: list[Any] = [None, (), None]  # relations, delta rows, emit
+        self._slots: Slots = {}
+        for variable in clause.variables():
+            self._slots.setdefault(variable, _CONTEXT + len(self._slots))
         known = set(variables_of(clause.head)) if bound_head else set()
         body = [
             (x, at, at == delta_at)
@@ -47,7 +49,7 @@ class Join:
         ]
         tested = [_apart(x) for x, _, is_delta in body if is_delta and x.negated and negations]
         for variable in (v for x in tested for v in x.variables()):
-            self._slots.setdefault(variable, len(self._slots))
+            self._slots.setdefault(variable, _CONTEXT + len(self._slots))
         self._head = _Binder([(c, arg) for c, arg in enumerate(clause.head.args)], NOBODY, self._slots)
         self._step = self._compiled([*body, *((x, -1, False) for x in tested)], known)
 
@@ -62,13 +64,11 @@ class Join:
 
     def run(self, relations: Mapping[Indicator, Relation], rows: Iterable[Row], emit: Emit) -> None:
         """Emit every head row that the rule derives; the delta condition ranges over ``rows``."""
-        self._context[:] = relations, rows, emit
-        self._step([None] * len(self._slots))
+        self._step([relations, rows, emit, *[None] * len(self._slots)])
 
     def first(self, relations: Mapping[Indicator, Relation]) -> dict[Variable, Term] | None:
         """One solution of the body, or None when there is none."""
-        environment: Environment = [None] * len(self._slots)
-        self._context[:] = relations, (), _stop
+        environment: Environment = [relations, (), _stop, *[None] * len(self._slots)]
         try:
             self._step(environment)
         except _Found:
@@ -77,10 +77,9 @@ class Join:
 
     def derives(self, relations: Mapping[Indicator, Relation], row: Row) -> bool:
         """Whether the rule derives this head row (the join was compiled with ``bound_head``)."""
-        environment: Environment = [None] * len(self._slots)
+        environment: Environment = [relations, (), _stop, *[None] * len(self._slots)]
         if not self._head(row, environment):
             return False
-        self._context[:] = relations, (), _stop
         try:
             self._step(environment)
         except _Found:
@@ -88,34 +87,34 @@ class Join:
         return False
 
     def _emit_step(self) -> Step:
-        build, context = _row_builder(list(self.clause.head.args), self._slots), self._context
+        build = _row_builder(list(self.clause.head.args), self._slots)
 
         def emit(environment: Environment) -> None:
-            context[2](build(environment))
+            environment[2](build(environment))
 
         return emit
 
     def _condition(self, literal: Literal, known: Set[Variable], is_delta: bool, then: Step) -> Step:
         if literal.is_comparison:
             return _comparison_step(literal, known, self._slots, then)
-        indicator, args, context = literal.atom.indicator, literal.atom.args, self._context
+        indicator, args = literal.atom.indicator, literal.atom.args
         columns = tuple(c for c, arg in enumerate(args) if set(variables_of(arg)) <= known)
         key = _row_builder([args[c] for c in columns], self._slots)
         bind = _Binder([(c, arg) for c, arg in enumerate(args) if c not in columns], known, self._slots)
 
         def lookup(environment: Environment) -> None:
-            for row in context[0][indicator].matching(columns, key(environment)):
+            for row in environment[0][indicator].matching(columns, key(environment)):
                 if bind(row, environment):
                     then(environment)
 
         def scan(environment: Environment) -> None:
             wanted = key(environment)
-            for row in context[1]:
+            for row in environment[1]:
                 if tuple([row[c] for c in columns]) == wanted and bind(row, environment):
                     then(environment)
 
         def absent(environment: Environment) -> None:
-            if not any(bind(row, environment) for row in context[0][indicator].matching(columns, key(environment))):
+            if not any(bind(row, environment) for row in environment[0][indicator].matching(columns, key(environment))):
                 then(environment)
 
         return scan if is_delta else absent if literal.negated else lookup

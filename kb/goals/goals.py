@@ -8,16 +8,17 @@ through ``unify``.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from typing import Any, Protocol, TypeAlias
 
 from unification import Var, isvar, reify, unify, var
 from unification.core import _reify, _reify_Iterable_ctor
 
+from casper.kb.goals.occurs import State, unified
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Indicator
 from casper.kb.terms.terms import Compound, Term, Variable
 
-State: TypeAlias = Any  # a mapping of kanren variables, perhaps a ConstrainedState
 Goal: TypeAlias = Callable[[State], Iterator[State]]
 
 
@@ -31,6 +32,10 @@ _reify.add((Compound, object), _reify_compound)
 
 class Answering(Protocol):
     """What a predicate asks of its knowledge base."""
+
+    @property
+    def lock(self) -> AbstractContextManager[object]:
+        """Held while stored rows are looked up: other threads may change them."""
 
     def stored(self, indicator: Indicator, /) -> Relation | None:
         """The rows of a stored predicate; None for one that is answered top-down."""
@@ -62,12 +67,14 @@ class Predicate:
         plain = all(type(arg) in _PLAIN for arg in args)
 
         def goal(state: State) -> Iterator[State]:
-            relation = base.stored(indicator)
-            if relation is None:
-                return _derived(base, indicator[0], reify(args, state), state)
-            if plain:
-                return iter((state,)) if args in relation else iter(())
-            return stored_goal(relation, tuple([_walked(arg, state) for arg in args]), state)
+            found = args if plain else tuple([_walked(arg, state) for arg in args])
+            with base.lock:
+                relation = base.stored(indicator)
+                if relation is not None:
+                    if plain:
+                        return iter((state,)) if args in relation else iter(())
+                    return stored_goal(relation, found, state)
+            return _derived(base, indicator[0], found, state)
 
         return goal
 
@@ -89,17 +96,19 @@ def _walked(term: Any, state: State) -> Any:
 
 
 def stored_goal(relation: Relation, args: Row, state: State) -> Iterator[State]:
-    """The states in which the (walked) arguments are a row of the relation."""
+    """The states in which the (walked) arguments are a row of the relation; its rows are looked up at once."""
     open_ = [(at, arg) for at, arg in enumerate(args) if type(arg) is not str and not _is_closed(arg)]
-    if not open_:
-        if _is_hashable(args) and args in relation:
-            yield state
-        return
     if not _is_hashable(args):
-        return  # a Python list or set is no term: it stands in no row
+        return iter(())  # a Python list or set is no term: it stands in no row
+    if not open_:
+        return iter((state,)) if args in relation else iter(())
     free = {at for at, _ in open_}
     columns = tuple([at for at in range(len(args)) if at not in free])
-    rows = list(relation.matching(columns, tuple([args[at] for at in columns])))
+    return _extended(state, open_, list(relation.matching(columns, tuple([args[at] for at in columns]))))
+
+
+def _extended(state: State, open_: list[tuple[int, Any]], rows: list[Row]) -> Iterator[State]:
+    """The state with its open arguments as in each of the rows."""
     if type(state) is dict and len({arg for _, arg in open_}) == len(open_) and all(isvar(arg) for _, arg in open_):
         for row in rows:
             extended = state.copy()
@@ -134,7 +143,7 @@ def _derived(base: Answering, name: str, args: Row, state: State) -> Iterator[St
     atom = Compound([name, *(_to_solver(arg, names) for arg in args)])
     for answer in base.instances(atom):
         fresh: dict[Variable, Var] = {}
-        extended = unify(tuple(args), tuple(_to_kanren(part, fresh) for part in answer.args), state)
+        extended = unified(tuple(args), tuple(_to_kanren(part, fresh) for part in answer.args), state)
         if extended is not False:
             yield extended
 

@@ -1,6 +1,6 @@
 """miniKanren with the knowledge base's relations and streams: the same names as kanren's, to be imported instead.
 
-    from casper.kb.minikanren import Relation, conde, eq, fact, facts, lall, neq, run, var
+    from casper.kb.goals.minikanren import Relation, conde, eq, fact, facts, lall, neq, run, var
 
     parent = Relation("parent")
     facts(parent, ("homer", "bart"), ("homer", "lisa"))
@@ -8,8 +8,9 @@
     run(0, child, parent("homer", child))
 
 Unlike kanren's: a lookup goes through an index of every bound column, bound by an earlier goal too; a ground "no" is a
-set test; disequalities are kept; conjunctions are linear and long ones no RecursionError (`streams`). A relation
-that calls itself wraps the call in ``delay(relation, …)``.
+set test; disequalities are kept; conjunctions are linear and long ones no RecursionError (`streams`); ``eq((x,), x)``
+fails where kanren goes on forever. A relation that calls itself is marked with ``@defrel``, or takes the state and
+hands on a composed goal, as kanren's own do (``return goal(state)``).
 """
 
 from __future__ import annotations
@@ -19,12 +20,26 @@ from itertools import count
 from typing import Any
 
 from kanren.constraints import neq
-from unification import reify
+from kanren.core import fail, succeed
+from unification import Var, isvar, reify, unifiable, unify, variables, vars
 
 from casper.kb.goals.goals import stored_goal
-from casper.kb.goals.streams import Goal, State, conde, delay, eq, lall, lany, run, var
+from casper.kb.goals.lists import (
+    appendo,
+    conso,
+    heado,
+    itero,
+    membero,
+    nullo,
+    permuteo,
+    permuteq,
+    rembero,
+    tailo,
+)
+from casper.kb.goals.streams import Goal, State, conde, defrel, delay, eq, lall, lany, run, var
 from casper.kb.relations.relation import Relation as Rows
 
+Zzz = delay
 _numbers = count()
 
 
@@ -74,4 +89,6 @@ def facts(relation: Relation, *rows: Iterable[Any]) -> None:
         relation.add_fact(*row)
 
 
-__all__ = ["Goal", "Relation", "conde", "delay", "eq", "fact", "facts", "lall", "lany", "neq", "run", "var"]
+__all__ = ["Goal", "Relation", "Var", "Zzz", "appendo", "conde", "conso", "defrel", "delay", "eq", "fact", "facts"]
+__all__ += ["fail", "heado", "isvar", "itero", "lall", "lany", "membero", "neq", "nullo", "permuteo", "permuteq"]
+__all__ += ["reify", "rembero", "run", "succeed", "tailo", "unifiable", "unify", "var", "variables", "vars"]

@@ -1,27 +1,36 @@
-"""Proofs as data, and their two printers: a text tree for a person, a JSON object for a program."""
+"""Proofs as data, and as text for a person, JSON for a program, a graph for networkx: each in bounded size."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import deque
+from collections.abc import Hashable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from casper.kb.reasons.outline import Entry, Numbers, Outline, numbered, outline, premises_first
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.kb.text.lines import one_line
 from casper.kb.text.writer import literal_text
 
 if TYPE_CHECKING:
     import networkx as nx
 
+MOST_STEPS = 1_000  # shown of a proof, unless more are asked for
+DEEPEST_JSON = 200  # nested further, Python's own JSON writer gives up
+MOST_BARS = 16  # levels whose lines are drawn; those further left become their number
+MOST_NODES = 10_000  # of a graph
 
-@dataclass(frozen=True, slots=True)
+
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class Proof:
     """Why a ground condition holds.
 
     ``clause`` is the fact or rule behind it and ``premises`` the proofs of its body in the author's order; without a
     clause the condition holds by itself: a comparison, the absence of what is negated, or a computed relation.
+
+    Proofs are equal when they say the same, step by step; comparing, printing and pickling are loops, so a proof may be
+    deeper than Python's stack.
     """
 
     literal: Literal
@@ -42,69 +51,143 @@ class Proof:
             heights[id(proof)] = 1 + max(heights[id(p)] for p in proof.premises) if proof.premises else 0
         return heights[id(self)]
 
+    @property
+    def size(self) -> int:
+        """The number of different steps; one that is used twice counts once."""
+        return len(set(self._numbers().values()))
+
     def premises_first(self) -> Iterator[Proof]:
-        """Every node once, premises before what they prove: a loop, since a proof may be deeper than Python's stack."""
-        seen: set[int] = set()
-        waiting = [self]
-        while waiting:
-            proof = waiting[-1]
-            missing = [premise for premise in proof.premises if id(premise) not in seen]
-            if missing:
-                waiting.extend(missing)
-                continue
-            waiting.pop()
-            if id(proof) not in seen:
-                seen.add(id(proof))
-                yield proof
+        """Every node once, premises before what they prove."""
+        return premises_first(self)
+
+    def text(self, most_steps: int = MOST_STEPS, deepest: int | None = None) -> str:
+        """A tree of at most so many lines; what is proved twice is referred to, ``as above, [3]``.
+
+        A last line, ``… 9,870 more steps``, says how much is left out.
+        """
+        told = self._outline(most_steps, most_steps if deepest is None else deepest)
+        return "\n".join([*_lines(told), *filter(None, [told.closing])])
 
     def __str__(self) -> str:
-        return "\n".join(_lines(self))
+        return self.text()
 
     def __repr__(self) -> str:
-        return one_line(f"Proof of {_line(self)}")
+        return f"<proof of {_text(self)}: {self.height} high, {self.size} step{'' if self.size == 1 else 's'}>"
 
-    def to_networkx(self) -> nx.DiGraph:
+    def to_networkx(self, most_steps: int = MOST_NODES) -> nx.DiGraph:
         """The proof as a graph: a node a condition (attributes ``text``, ``by``, ``place``), edges to its premises.
 
-        A condition that is used twice is one node; node 0 is what is proved.
+        A condition that is used twice is one node; node 0 is what is proved. Of a larger proof the steps nearest to it
+        are kept, and ``graph.graph["more"]`` says how many are left out.
         """
         import networkx as nx
 
-        graph: nx.DiGraph = nx.DiGraph()
-        nodes = list(self.premises_first())[::-1]
-        numbers = {id(proof): number for number, proof in enumerate(nodes)}
-        for proof in nodes:
-            graph.add_node(numbers[id(proof)], text=_text(proof), by=_kind(proof), place=_place(proof))
-            graph.add_edges_from((numbers[id(proof)], numbers[id(premise)]) for premise in proof.premises)
+        numbers = self._numbers()
+        nodes = _nearest(self, numbers, most_steps)
+        graph: nx.DiGraph = nx.DiGraph(more=len(set(numbers.values())) - len(nodes))
+        names = {number: name for name, number in enumerate(nodes)}
+        for number, proof in nodes.items():
+            graph.add_node(names[number], text=_text(proof), by=_kind(proof), place=_place(proof))
+        for number, proof in nodes.items():
+            premises = (numbers[id(premise)] for premise in proof.premises)
+            graph.add_edges_from((names[number], names[premise]) for premise in premises if premise in names)
         return graph
 
-    def to_json(self) -> dict[str, Any]:
-        """``{"fact": text, "by": "fact"|"rule"|"test"|"absence"|"check", "place": text, "because": […]}``."""
-        found: dict[int, dict[str, Any]] = {}
-        for proof in self.premises_first():
-            found[id(proof)] = {
-                "fact": _text(proof),
-                "by": _kind(proof),
-                "place": _place(proof) or None,
-                "because": [found[id(premise)] for premise in proof.premises],
-            }
-        return found[id(self)]
+    def to_json(self, most_steps: int = MOST_STEPS, deepest: int = DEEPEST_JSON) -> dict[str, Any]:
+        """``{"fact": text, "by": "fact"|"rule"|"test"|"absence"|"check", "place": text, "because": […]}``.
+
+        A part that is used more than once has an ``id`` where it is spelled out, and elsewhere is ``{…, "as": id}``
+        with an empty ``because``. Where something is left out the whole has ``more``, the number of further steps, and
+        a part whose premises lie too deep ``"cut": true``.
+        """
+        told = self._outline(most_steps, deepest)
+        premises: list[list[dict[str, Any]]] = [[]]  # by depth, those of the last entry there
+        for entry in told.entries:
+            shown = _object(entry)
+            premises[entry.depth].append(shown)
+            del premises[entry.depth + 1 :]
+            premises.append(shown.get("because", []))
+        [whole] = premises[0]
+        return {**whole, "more": told.more} if told.more else whole
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Proof):
+            return NotImplemented
+        known: Numbers = {}
+        return self is other or self._numbers(known)[id(self)] == other._numbers(known)[id(other)]
+
+    def __hash__(self) -> int:
+        return hash((self.literal, self.clause, self.remark, len(self.premises)))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """As a list of steps, premises first, each with the numbers of its premises."""
+        steps = list(self.premises_first())
+        numbers = {id(proof): number for number, proof in enumerate(steps)}
+        rows = [(p.literal, p.clause, tuple(numbers[id(x)] for x in p.premises), p.remark) for p in steps]
+        return _of_steps, (rows,)
+
+    def _outline(self, most: int, deepest: int) -> Outline[Proof]:
+        return outline(self, self._numbers(), most, deepest)
+
+    def _numbers(self, known: Numbers | None = None) -> dict[int, int]:
+        return numbered(self, _content, {} if known is None else known)
 
 
-def _lines(proof: Proof) -> Iterator[str]:
-    waiting = [(proof, "", "")]  # with what stands before its first line, and before those of its premises
+def _of_steps(rows: list[tuple[Literal, Clause | None, tuple[int, ...], str]]) -> Proof:
+    """A proof of its steps, premises first."""
+    steps: list[Proof] = []
+    for literal, clause, premises, remark in rows:
+        steps.append(Proof(literal, clause, tuple(steps[number] for number in premises), remark))
+    return steps[-1]
+
+
+def _content(proof: Proof) -> Hashable:
+    return proof.literal, proof.clause, proof.remark
+
+
+def _nearest(root: Proof, numbers: dict[int, int], most: int) -> dict[int, Proof]:
+    """By number the steps nearest to what is proved, nearest first."""
+    found = {numbers[id(root)]: root}
+    waiting = deque([root])
     while waiting:
-        proof, first, other = waiting.pop()
-        yield first + _line(proof)
-        for at, premise in reversed(list(enumerate(proof.premises, 1))):
-            last = at == len(proof.premises)
-            waiting.append((premise, other + ("└─ " if last else "├─ "), other + ("   " if last else "│  ")))
+        for premise in waiting.popleft().premises:
+            if numbers[id(premise)] not in found and len(found) < most:
+                found[numbers[id(premise)]] = premise
+                waiting.append(premise)
+    return found
 
 
-def _line(proof: Proof) -> str:
+def _object(entry: Entry[Proof]) -> dict[str, Any]:
+    """One step as JSON, its premises still to come."""
+    proof = entry.node
+    shown: dict[str, Any] = {"fact": _text(proof), "by": _kind(proof), "place": _place(proof) or None}
+    if entry.label:
+        shown["as" if entry.above else "id"] = entry.label
+    if entry.cut:
+        shown["cut"] = True
+    return {**shown, "because": []}
+
+
+def _lines(told: Outline[Proof]) -> Iterator[str]:
+    bars: list[str] = []  # by depth, what stands before the lines below the last entry there
+    for entry in told.entries:
+        del bars[max(entry.depth - 1, 0) :]
+        if entry.depth == 0:
+            yield _line(entry)
+            continue
+        left = max(len(bars) - MOST_BARS, 0)
+        before = (f"{left} more … " if left else "") + "".join(bars[left:])
+        yield before + ("└─ " if entry.last else "├─ ") + _line(entry)
+        bars.append("   " if entry.last else "│  ")
+
+
+def _line(entry: Entry[Proof]) -> str:
+    proof = entry.node
+    if entry.above:
+        return f"{_text(proof)}   as above, [{entry.label}]"
     notes = {"fact": "given", "rule": "", "test": "compared", "absence": "not known", "check": proof.remark}
-    note = notes[_kind(proof)]
-    return _text(proof) + "".join(f"   [{part}]" for part in (note, _place(proof)) if part)
+    label, cut = str(entry.label or ""), "…" if entry.cut else ""
+    return _text(proof) + "".join(f"   [{part}]" for part in (label, notes[_kind(proof)], _place(proof), cut) if part)
 
 
 def _text(proof: Proof) -> str:

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from casper.kb.relations.columns import Interner, Table, code
+from casper.kb.relations.columns import Ids, Interner, Table, code
 from casper.kb.relations.relation import Relation, Row
+from casper.kb.terms.terms import Term
 
 
 class ColumnRelation(Relation):
@@ -25,14 +26,20 @@ class ColumnRelation(Relation):
     @property
     def rows(self) -> dict[Row, int]:
         """The rows with their rounds, decoded when first asked for."""
-        if self._table is not None:
-            self._decoded = self._decode(self._table)
+        table = self._table
+        if table is not None:  # of two threads that come here each decodes, to equal rows
+            self._decoded = self._decode(table)
             self._table = None
         return self._decoded
 
     @rows.setter
     def rows(self, rows: dict[Row, int]) -> None:
         self._decoded = rows
+
+    def interned(self) -> tuple[list[Ids], list[Term]] | None:
+        """The columns of numbers, with the constants they stand for; None once the rows were decoded."""
+        table = self._table
+        return None if table is None else (table.all_rows(), self._interner.constants)
 
     def _decode(self, table: Table) -> dict[Row, int]:
         constants = self._interner.constants
@@ -43,16 +50,18 @@ class ColumnRelation(Relation):
         return rows
 
     def __contains__(self, row: object) -> bool:
-        if self._table is None:
+        table = self._table
+        if table is None:
             return row in self._decoded
         numbers = [self._interner.number(constant) for constant in row]  # type: ignore[attr-defined]
         if None in numbers:
             return False
         columns = [np.array([number], np.int64) for number in numbers]
-        return bool(self._table.has(code(columns, self._table.base, 1))[0])
+        return bool(table.has(code(columns, table.base, 1))[0])
 
     def __len__(self) -> int:
-        return len(self._table) if self._table is not None else len(self._decoded)
+        table = self._table
+        return len(table) if table is not None else len(self._decoded)
 
     def __iter__(self) -> Iterator[Row]:
         return iter(self.rows)

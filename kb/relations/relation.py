@@ -87,3 +87,10 @@ class Relation:
 
     def __repr__(self) -> str:
         return f"<{self.name}/{self.arity}: {len(self)} rows>"
+
+
+def copied(relation: Relation) -> Relation:
+    """A plain relation of the same rows and rounds."""
+    found = Relation(relation.name, relation.arity)
+    found.rows = {row: relation.round_of(row) for row in relation}
+    return found

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import lru_cache
-from typing import Self, TypeAlias
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import lru_cache, wraps
+from threading import RLock
+from typing import Any, Concatenate, ParamSpec, Self, TypeAlias, TypeVar
+from weakref import ref
 
 from casper.kb.errors import ProgramError
 from casper.kb.program.refusals import undefined_sentence
@@ -23,12 +26,28 @@ from casper.kb.top_down.solve import DEFAULT_BUDGET, Computed, Solver
 Statement: TypeAlias = str | tuple[Term, ...]  # text, or a Compound / a tuple that starts with the name
 NO_HISTORY: History = ()
 MOST_INDEXED = 20_000  # statements up to which all that hold are kept in one set
-_MISSING = object()
 _statement_of_text = lru_cache(maxsize=4096)(read_statement)
+S = TypeVar("S", bound="ClauseStore")
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+def of_one_moment(question: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S, P], R]:
+    """A question that is answered from a snapshot: lazily too, and whatever other threads change meanwhile."""
+
+    @wraps(question)
+    def asked(self: S, /, *args: P.args, **kwargs: P.kwargs) -> R:
+        return question(self.snapshot(), *args, **kwargs)
+
+    return asked
 
 
 class ClauseStore:
-    """Facts, rules and constraints, and the model worked out of them when it is first needed."""
+    """Facts, rules and constraints, and the model worked out of them when it is first needed.
+
+    Several threads may ask while others change it. A change holds ``lock``; a question that takes longer than one look
+    holds a `snapshot`, and what a snapshot holds is never changed: the next change is made in a layer over it.
+    """
 
     def __init__(self, clauses: Iterable[Clause] = (), dynamic: Iterable[Indicator] = ()) -> None:
         self._clauses: dict[Clause, None] = dict.fromkeys(clauses)  # in the author's order, each once
@@ -39,6 +58,11 @@ class ClauseStore:
         self._true: set[Statement] = set()  # stored statements that hold, once they are indexed
         self._index_in: int | None = 0  # questions until they are
         self.changes = 0  # how often something was added or taken back: what was asked before may be different now
+        self.lock = RLock()  # held while anything changes, and while something is looked up that may
+        self._begun = self._ended = 0  # changes: one is under way when these differ
+        self._view: Callable[[], Self | None] = _nobody  # the snapshot of how it is now, while somebody holds it
+        self._shared: set[Indicator] = set()  # predicates whose bulk rows a snapshot has, too
+        self._below: ClauseStore | None = None  # the snapshot that an assumption is laid over
 
     # --- authoring -------------------------------------------------------------------------------------------------
 
@@ -60,14 +84,16 @@ class ClauseStore:
         Raises:
             ProgramError: a directive nobody knows, or a production.
         """
-        self._forget()
-        for sentence in sentences:
-            if isinstance(sentence, Clause):
-                self._clauses.setdefault(sentence)
-            elif isinstance(sentence, Directive):
-                self._dynamic.add(_dynamic(sentence))
-            else:
-                raise ProgramError("a plan (-->) belongs in a plan library, not in a knowledge base", sentence.place)
+        with self._changing():
+            self._forget()
+            for sentence in sentences:
+                if isinstance(sentence, Clause):
+                    self._clauses.setdefault(sentence)
+                elif isinstance(sentence, Directive):
+                    self._dynamic.add(_dynamic(sentence))
+                else:
+                    mistake = "a plan (-->) belongs in a plan library, not in a knowledge base"
+                    raise ProgramError(mistake, sentence.place)
 
     def fact(self, fact: Statement) -> None:
         """State a fact: ``kb.fact("food(biscuits)")`` or ``kb.fact(("food", "biscuits"))``.
@@ -86,7 +112,8 @@ class ClauseStore:
 
     def declare_statements(self, statements: Iterable[Indicator]) -> None:
         """Name the predicates that are action statements: what ``valid(S)`` enumerates when S is unknown."""
-        self._statements.update(dict.fromkeys(statements))
+        with self._changing():
+            self._statements.update(dict.fromkeys(statements))
 
     def compile(self) -> None:
         """Check, stratify and materialise now instead of at the first question.
@@ -99,8 +126,9 @@ class ClauseStore:
     @property
     def clauses(self) -> Sequence[Clause]:
         """Every clause, in the author's order, then the facts that were loaded in bulk."""
-        loaded = (Clause(Compound((name, *row))) for (name, _), rows in self._bulk.items() for row in rows)
-        return (*self._clauses, *loaded)
+        with self.lock:
+            loaded = (Clause(Compound((name, *row))) for (name, _), rows in self._bulk.items() for row in rows)
+            return (*self._clauses, *loaded)
 
     def to_text(self) -> str:
         """The clauses as text that reads in as the same model."""
@@ -109,14 +137,17 @@ class ClauseStore:
 
     # --- what if, and change ---------------------------------------------------------------------------------------
 
+    @of_one_moment
     def assume(self, *facts: Statement, without: Iterable[Statement] = ()) -> Self:
         """The knowledge base as it would be with some facts and without others; this one stays as it is.
 
-        It is an overlay: only what follows from the assumption is worked out, and it is dropped with the object.
+        It is an overlay: only what follows from the assumption is worked out, and it is dropped with the object. What
+        changes here later does not change it.
         """
         base = type(self)()
+        base._below = self
         base._clauses, base._dynamic = dict(self._clauses), set(self._dynamic) | set(self._model.program.clauses)
-        base._bulk, base._statements = {i: dict(rows) for i, rows in self._bulk.items()}, dict(self._statements)
+        base._bulk, base._shared, base._statements = dict(self._bulk), set(self._bulk), dict(self._statements)
         base._cached = self._model.layer(base._computed)
         for fact in without:
             base.retract(fact)
@@ -140,23 +171,34 @@ class ClauseStore:
         atom = self._statement(fact)
         if not is_ground(atom):
             raise ProgramError(f"{term_text(as_term(atom))} has a variable; only ground facts can be changed")
-        model, clause = self._model, Clause(atom)
-        kept = model.keeps(atom.indicator)
-        bulk = self._bulk.get(atom.indicator, {})
-        if add and (clause in self._clauses or atom.args in bulk):
-            return False
-        if add:
-            self._clauses[clause] = None
-        elif self._clauses.pop(clause, _MISSING) is _MISSING and bulk.pop(atom.args, _MISSING) is _MISSING:
-            return False
+        clause = Clause(atom)
+        with self.lock:
+            given = clause in self._clauses or atom.args in self._bulk.get(atom.indicator, ())
+            kept = self._model.keeps(atom.indicator)
+            if given == add:
+                return False
+            with self._changing():
+                if add:
+                    self._clauses[clause] = None
+                else:
+                    self._clauses.pop(clause, None)
+                    self._loaded(atom.indicator).pop(atom.args, None)
+                return self._follow(atom, clause if add else None, kept)
+
+    def _follow(self, atom: Compound, clause: Clause | None, kept: bool) -> bool:
+        """Bring the model in step with a fact that came (with its clause) or went."""
+        if not kept:
+            self._dynamic |= {atom.indicator}
+            self._forget()
+            return True
         self.changes += 1
-        if kept:
-            self._true = set()
-            self._index_in = MOST_INDEXED  # by then the questions have cost as much as indexing anew
-            return model.change(atom.indicator, atom.args, clause if add else None, add=add)
-        self._dynamic |= {atom.indicator}
-        self._forget()
-        return True
+        self._true = set()
+        self._index_in = MOST_INDEXED  # by then the questions have cost as much as indexing anew
+        try:
+            return self._model.change(atom.indicator, atom.args, clause, add=clause is not None)
+        except BaseException:  # the rows are then in no defined state
+            self._forget()
+            raise
 
     def facts(self, name: str, rows: Iterable[Row]) -> None:
         """Load many facts of one predicate: ``kb.facts("edge", [("a", "b"), ("b", "c")])``; rows of constants.
@@ -171,11 +213,79 @@ class ClauseStore:
         if any(type(value) is Variable for row in loaded for value in row):
             raise ProgramError(f"a row of {name} has a variable; only constants can be loaded")
         if arities:
-            self._bulk.setdefault((name, arities.pop()), {}).update(dict.fromkeys(loaded))
-            self._forget()
+            with self._changing():
+                self._loaded((name, arities.pop())).update(dict.fromkeys(loaded))
+                self._forget()
+
+    # --- other threads, other processes ----------------------------------------------------------------------------
+
+    def snapshot(self) -> Self:
+        """The knowledge base as it is now, for as long as it is held; it costs microseconds, and cannot be changed.
+
+        Several questions that must see one state are asked of one snapshot; kanren goals, too. Every single question
+        sees one state anyway.
+        """
+        if self._view is _frozen:
+            return self
+        with self.lock:
+            view = self._view()
+            if view is None:
+                view = object.__new__(type(self))
+                ClauseStore.__init__(view)
+                view._clauses, view._bulk, view._dynamic = self._clauses, self._bulk, self._dynamic
+                view._statements, view._cached, view.changes = self._statements, self._model, self.changes
+                view._true, view._index_in, view._view = self._true, None, _frozen
+                self._view = ref(view)
+            return view
+
+    @contextmanager
+    def _changing(self) -> Iterator[None]:
+        """While a change is made: nobody else makes one, and nothing that a snapshot holds is in its way.
+
+        Raises:
+            ProgramError: this is a snapshot.
+        """
+        if self._view is _frozen:
+            raise ProgramError("a snapshot stays as it is: change the knowledge base, or ask assume(…) what if")
+        with self.lock:
+            self._begun += 1
+            try:
+                if self._view() is not None:
+                    self._part()
+                yield
+            finally:
+                self._ended += 1
+
+    def _part(self) -> None:
+        """Leave everything to the snapshot that has it, and go on with copies and a layer over the model."""
+        self._view = _nobody
+        self._clauses, self._dynamic = dict(self._clauses), set(self._dynamic)
+        self._bulk, self._shared, self._statements = dict(self._bulk), set(self._bulk), dict(self._statements)
+        if self._cached is not None:
+            self._cached = self._cached.apart(self._computed)
+
+    def _loaded(self, indicator: Indicator) -> dict[Row, None]:
+        """The bulk rows of a predicate, to be changed."""
+        if indicator in self._shared:
+            self._shared.discard(indicator)
+            self._bulk[indicator] = dict(self._bulk[indicator])
+        return self._bulk.setdefault(indicator, {})
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """By what was stated: what follows is worked out anew where it arrives. A snapshot arrives as a base."""
+        with self.lock:
+            bulk = {indicator: tuple(rows) for indicator, rows in self._bulk.items()}
+            return _restated, (type(self), tuple(self._clauses), bulk, tuple(self._dynamic), tuple(self._statements))
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        """A base that goes its own way; clauses and rows never change, so both have the same."""
+        function, arguments = self.__reduce__()
+        copy: Self = function(*arguments)
+        return copy
 
     # --- for those who ask -----------------------------------------------------------------------------------------
 
+    @of_one_moment
     def clauses_of(self, indicator: Indicator) -> Sequence[Clause]:
         """The facts and rules of one predicate; none when it is not defined."""
         model = self._model
@@ -203,11 +313,15 @@ class ClauseStore:
             raise ProgramError(undefined_sentence(indicator, self._model.program.clauses))
 
     def stored(self, indicator: Indicator) -> Relation | None:
-        """The relation of a predicate whose rows are all listed; None for one that is answered top-down."""
+        """The relation of a predicate whose rows are all listed; None for one that is answered top-down.
+
+        It follows the changes: other threads read it under ``lock``, or ask a snapshot for it.
+        """
         return (self._cached or self._model).relations.get(indicator)
 
+    @of_one_moment
     def solver(self, budget: int = DEFAULT_BUDGET, history: History = NO_HISTORY) -> Solver:
-        """A fresh search over everything that holds, after what happened earlier."""
+        """A fresh search over everything that holds now, after what happened earlier."""
         model = self._model
         return Solver(with_history(model.relations, history), model.program.clauses, self._computed, budget)
 
@@ -222,9 +336,12 @@ class ClauseStore:
 
     @property
     def _model(self) -> Model:
-        if self._cached is None:
-            self._cached = Model.of(self._clauses, self._dynamic, self._bulk, self._computed)
-        return self._cached
+        model = self._cached
+        if model is None:
+            with self.lock:
+                model = self._cached or Model.of(self._clauses, self._dynamic, self._bulk, self._computed)
+                self._cached = model
+        return model
 
     def _valid(self, atom: Compound) -> Iterator[Compound]:
         """The computed relation valid/1."""
@@ -267,6 +384,27 @@ class ClauseStore:
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {len(self)} clauses>"
 
+
+def _nobody() -> None:
+    """No snapshot is held."""
+
+
+def _frozen() -> None:
+    """This is a snapshot itself."""
+
+
+def _restated(
+    kind: type[S],
+    clauses: Iterable[Clause],
+    bulk: Mapping[Indicator, Iterable[Row]],
+    dynamic: Iterable[Indicator],
+    statements: Iterable[Indicator],
+) -> S:
+    """A knowledge base of what was stated."""
+    base = kind()
+    base._clauses, base._dynamic, base._statements = dict.fromkeys(clauses), set(dynamic), dict.fromkeys(statements)
+    base._bulk = {indicator: dict.fromkeys(rows) for indicator, rows in bulk.items()}
+    return base
 
 
 def _dynamic(directive: Directive) -> Indicator:

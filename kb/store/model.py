@@ -13,11 +13,12 @@ from casper.kb.errors import ProgramError
 from casper.kb.program.program import Program, analyse
 from casper.kb.reasons.validity import Constraints, constraints_of
 from casper.kb.relations.layered import LayeredRelation
-from casper.kb.relations.relation import Relation, Row
+from casper.kb.relations.relation import Relation, Row, copied
 from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.top_down.solve import Computed, Solver
 
 MOST_EXACT = 50_000  # rows up to which proofs are of least height whatever happened
+MOST_LAYERS = 8  # laid over one another before their rows are put together again
 
 
 @dataclass
@@ -34,6 +35,7 @@ class Model:
     maintenance: Maintenance
     changed: bool = False
     round: int = 1 << 40  # of the next change; later than any round of a fixpoint
+    layers: int = 0  # how many models this one is laid over
 
     @classmethod
     def of(
@@ -103,6 +105,15 @@ class Model:
     def layer(self, computed: Mapping[Indicator, Computed]) -> Model:
         """A model laid over this one: what changes there leaves this one as it is."""
         given, relations = _Layers(self.given, _GivenLayer), _Layers(self.relations, LayeredRelation)
+        above = self.layers + 1
+        return Model(self.program, given, relations, computed, self.maintenance, self.changed, self.round, above)
+
+    def apart(self, computed: Mapping[Indicator, Computed]) -> Model:
+        """The same model to be changed while somebody goes on reading this one."""
+        if self.layers < MOST_LAYERS:
+            return self.layer(computed)
+        given: dict[Indicator, MutableMapping[Row, Clause | None]] = {i: dict(self.given[i]) for i in self.given}
+        relations = {i: copied(self.relations[i]) for i in self.relations}
         return Model(self.program, given, relations, computed, self.maintenance, self.changed, self.round)
 
 
@@ -114,8 +125,7 @@ class _Layers(dict):  # type: ignore[type-arg]
         self.below, self.layer = below, layer
 
     def __missing__(self, key: Indicator) -> object:
-        found = self[key] = self.layer(self.below[key])
-        return found
+        return self.setdefault(key, self.layer(self.below[key]))  # of two threads that look, the first one's counts
 
     def get(self, key: Indicator, default: object = None) -> object:
         """The entry, through its layer."""

@@ -63,8 +63,24 @@ class Compound(tuple[Term, ...]):
         """Name and arity: the key under which a predicate is known."""
         return str(self[0]), len(self) - 1
 
+    def __reduce__(self) -> tuple[object, ...]:
+        """The chain of last arguments laid flat: a list is as deep as it is long, and pickle's stack is not."""
+        chain: list[tuple[Term, ...]] = []
+        term: Term = self
+        while isinstance(term, Compound) and term:
+            chain.append(tuple(term[:-1]))
+            term = term[-1]
+        return (_of_chain, (chain, term)) if self else (Compound, ())
+
     def __repr__(self) -> str:
         return term_text(self)
+
+
+def _of_chain(chain: list[tuple[Term, ...]], last: Term) -> Term:
+    """The compound whose last arguments are the rest of the chain."""
+    for parts in reversed(chain):
+        last = Compound((*parts, last))
+    return last
 
 
 def predication(term: Term) -> Compound:

@@ -203,3 +203,8 @@ def test_a_nested_python_tuple_matches_like_the_text():
     base = KnowledgeBase.from_text("q(X) :- p(f(X)). p(f(z)).")
     base.fact(("p", ("f", "a")))
     assert {row for row in base.rows("q", 1)} == {("a",), ("z",)}
+
+
+def test_alternatives_that_name_the_same_variables_in_another_order_are_not_mixed_up():
+    base = KnowledgeBase.from_text("e(a, b).")
+    assert list(base.query("e(X, Y) ; e(Y, X)")) == [{"X": "a", "Y": "b"}, {"X": "b", "Y": "a"}]

@@ -1,0 +1,164 @@
+"""Answers as columns: numpy arrays by the names of a query's variables, and on to pandas and Arrow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from casper.kb.errors import CasperError
+from casper.kb.relations.column_relation import ColumnRelation
+from casper.kb.relations.columns import Ids
+from casper.kb.relations.relation import Relation
+from casper.kb.relations.tables.libraries import needed
+from casper.kb.terms.terms import Compound, Term, Variable
+from casper.kb.terms.unification import is_ground
+
+if TYPE_CHECKING:
+    import pandas
+    import pyarrow
+
+Column = NDArray[Any]
+_EXACT = 1 << 53  # whole numbers up to which a float has the very value
+
+
+@dataclass(frozen=True, eq=False)
+class Answers:
+    """The answers to a query, each once.
+
+    ``columns`` maps each named variable, in order, to an array of shape (answers,): ``int64`` where all values are
+    whole numbers, ``float64`` where all are numbers, otherwise Python objects (an atom is its string, the same object
+    for every row that has it). Iteration gives the answers as tuples of Python values.
+    """
+
+    columns: Mapping[str, Column]
+    size: int
+
+    def __len__(self) -> int:
+        return self.size
+
+    def __iter__(self) -> Iterator[tuple[Term, ...]]:
+        if not self.columns:
+            return iter([()] * self.size)
+        return zip(*(column.tolist() for column in self.columns.values()))
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A data frame with a column for each variable.
+
+        Raises:
+            CasperError: pandas is not installed.
+        """
+        frame: pandas.DataFrame = needed("pandas").DataFrame(dict(self.columns), index=range(self.size))
+        return frame
+
+    def to_arrow(self) -> pyarrow.Table:
+        """An Arrow table with a column for each variable: whole numbers, numbers, or strings.
+
+        Raises:
+            CasperError: pyarrow is not installed, or a column is neither all numbers nor all atoms.
+        """
+        arrow = needed("pyarrow")
+        arrays = {name: arrow.array(_arrow_values(name, column)) for name, column in self.columns.items()}
+        table: pyarrow.Table = arrow.table(arrays)
+        return table
+
+
+def _arrow_values(name: str, column: Column) -> Column:
+    if column.dtype == object and any(type(value) is not str for value in column.tolist()):
+        what = "terms, unknown parts, or atoms and numbers"
+        raise CasperError(f"column {name} holds {what}, for which Arrow has no one type; use to_pandas() or columns")
+    return column
+
+
+def of_answers(names: Sequence[str], answers: Iterable[Mapping[str, Term]]) -> Answers:
+    """Answers one by one as columns; a part that some answer leaves open is a `Variable`."""
+    rows = [tuple([answer.get(name, Variable(name)) for name in names]) for answer in answers]
+    return _of_rows(names, list(dict.fromkeys(rows)))
+
+
+def of_stored(atom: Compound, relation: Relation) -> Answers | None:
+    """The rows of a stored relation that an atom of constants and variables can be; None for any other atom.
+
+    Rows that are columns of interned constants stay columns: none is made a Python tuple.
+    """
+    if not all(isinstance(arg, Variable) or is_ground(arg) for arg in atom.args):
+        return None
+    named = {v.name: at for at, v in reversed(list(enumerate(atom.args))) if _is_named(v)}
+    kept = dict(sorted(named.items(), key=lambda item: item[1]))  # each at its first place
+    interned = relation.interned() if isinstance(relation, ColumnRelation) else None
+    if interned is None:
+        return _of_rows(list(kept), _matching_rows(atom, relation, list(kept.values())))
+    return _of_numbers(atom, kept, *interned, len(relation))
+
+
+def _is_named(arg: Term) -> bool:
+    return isinstance(arg, Variable) and not arg.name.startswith("_")
+
+
+def _matching_rows(atom: Compound, relation: Relation, kept: Sequence[int]) -> list[tuple[Term, ...]]:
+    bound = tuple([at for at, arg in enumerate(atom.args) if not isinstance(arg, Variable)])
+    same = _repeated(atom)
+    rows = relation.matching(bound, tuple([atom.args[at] for at in bound]))
+    found = (row for row in rows if all(row[a] == row[b] for a, b in same)) if same else rows
+    if len(kept) == len(atom.args):
+        return list(found)
+    return list(dict.fromkeys(tuple([row[at] for at in kept]) for row in found))
+
+
+def _repeated(atom: Compound) -> list[tuple[int, int]]:
+    """Pairs of places that have the same variable."""
+    first: dict[Term, int] = {}
+    pairs = [(first.setdefault(arg, at), at) for at, arg in enumerate(atom.args) if isinstance(arg, Variable)]
+    return [(a, b) for a, b in pairs if a != b]
+
+
+def _of_numbers(
+    atom: Compound, kept: Mapping[str, int], columns: Sequence[Ids], constants: Sequence[Term], size: int
+) -> Answers:
+    """The same on columns of numbers: masks instead of rows."""
+    keep = np.ones(size, dtype=bool)
+    numbers = {constant: number for number, constant in enumerate(constants)} if _has_constant(atom) else {}
+    for at, arg in enumerate(atom.args):
+        if not isinstance(arg, Variable):
+            keep &= columns[at] == numbers.get(arg, -1)
+    for a, b in _repeated(atom):
+        keep &= columns[a] == columns[b]
+    found = [columns[at][keep] for at in kept.values()]
+    count = int(keep.sum())
+    if not found:
+        return Answers({}, min(count, 1))
+    if len({arg for arg in atom.args if isinstance(arg, Variable)}) > len(kept):
+        found = list(np.unique(np.stack(found), axis=1))
+        count = len(found[0])
+    return Answers({name: _decoded(column, constants) for name, column in zip(kept, found)}, count)
+
+
+def _has_constant(atom: Compound) -> bool:
+    return not all(isinstance(arg, Variable) for arg in atom.args)
+
+
+def _decoded(column: Ids, constants: Sequence[Term]) -> Column:
+    used = np.flatnonzero(np.bincount(column, minlength=len(constants)))
+    places = np.empty(len(constants), np.int64)
+    places[used] = np.arange(len(used))
+    taken: Column = typed([constants[number] for number in used.tolist()])[places[column]]
+    return taken
+
+
+def _of_rows(names: Sequence[str], rows: Sequence[tuple[Term, ...]]) -> Answers:
+    values = zip(*rows) if rows else [()] * len(names)
+    return Answers({name: typed(column) for name, column in zip(names, values)}, len(rows))
+
+
+def typed(values: Sequence[Term]) -> Column:
+    """An array of the values with the narrowest type that keeps every one of them."""
+    kinds = set(map(type, values))
+    whole = [value for value in values if type(value) is int] if kinds <= {int, float} else []
+    if kinds == {int} and all(-(1 << 63) <= value < 1 << 63 for value in whole):
+        return np.array(values, np.int64)
+    if kinds in ({float}, {int, float}) and all(abs(value) <= _EXACT for value in whole):
+        return np.array(values, np.float64)
+    return np.fromiter(values, dtype=object, count=len(values))
