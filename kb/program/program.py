@@ -108,6 +108,9 @@ def _split(
     situational = dependents(rules, set(SYSTEM))
     top_down = situational | unlisted(rules)
     top_down = dependents(rules, top_down) | top_down
-    heights = sorted({level for indicator, level in levels.items() if indicator not in top_down})
-    strata = tuple(frozenset(i for i, at in levels.items() if at == h and i not in top_down) for h in heights)
+    by_level: dict[int, list[Indicator]] = {}
+    for indicator, level in levels.items():
+        if indicator not in top_down:
+            by_level.setdefault(level, []).append(indicator)
+    strata = tuple(frozenset(by_level[level]) for level in sorted(by_level))
     return strata, frozenset(situational), frozenset(top_down)
