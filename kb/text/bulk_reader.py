@@ -16,40 +16,42 @@ from casper.kb.errors import Place, ReadError
 from casper.kb.terms.clauses import Clause, Literal, Production, Sentence
 from casper.kb.terms.terms import Compound, predication
 from casper.kb.text.bulk_terms import TERM, TERMS, Terms, first_anonymous, numbered, part_matches, parts
+from casper.kb.text.tokens import COMMENT, OTHERS, STOP, WITHIN
 
 Parse = Callable[[str], list[Sentence]]
 _Span: TypeAlias = tuple[int, int]
 
-_COMMENT = r"%[^\n]*+|/\*[^*]*+(?:\*(?!/)[^*]*+)*\*/"
-_BLANK = rf"(?:\s++|{_COMMENT})*"
+_BLANK = rf"(?:\s++|{COMMENT})*"
 _BLANKS = re.compile(_BLANK)
-_END = r"\.(?=\s|%|\Z)"
-_PLAIN = re.compile(rf"{_BLANK}({TERM})(?:\s*+(-->|:-)\s*+({TERMS}))?\s*+{_END}")
-# Up to the full stop of a sentence; a full stop within these tokens ends nothing (grammar.lark). No two of them can
-# begin alike, and each ends in one way only: where no full stop follows, the expression does not search for it long.
-_SENTENCE = re.compile(
-    rf"""(?:[^%/'".]++|{_COMMENT}|/(?!\*)|\.(?!\s|%|\Z)"""
-    rf"""|'(?:[^'\\\n]++|\\[^\n]|'')*'(?!')|"(?:[^"\\\n]++|\\[^\n]|"")*"(?!"))*{_END}"""
-)
+_PLAIN = re.compile(rf"{_BLANK}({TERM})(?:\s*+(-->|:-)\s*+({TERMS}))?\s*+{STOP}")
+# Up to the full stop of a sentence; a full stop within these tokens ends nothing. Each ends in one way only: where no
+# full stop follows, the expression does not search for it long.
+_SENTENCE = re.compile(rf"(?:{WITHIN}|\w++|\s++|{OTHERS})*+{STOP}")
 _MOST_SENTENCES = 400  # handed to the grammar at once
 
 
-def read_large(text: str, file: str, parse: Parse) -> list[Sentence]:
+def _as_it_was() -> None:
+    """Nothing to forget."""
+
+
+def read_large(text: str, file: str, parse: Parse, restart: Callable[[], None] = _as_it_was) -> list[Sentence]:
     """Every sentence of a large text, as ``parse(text)`` would give them.
 
     Args:
         text: what to read.
         file: its name, for places.
-        parse: the grammar's reader; it is given parts of the text, padded so that places come out right.
+        parse: reads any sentences; it is given parts of the text, padded so that places come out right.
+        restart: makes ``parse`` forget the operators it was told of, before it reads from the start again.
 
     Raises:
-        ReadError: from the grammar, as for the text as a whole.
+        ReadError: from the parser, as for the text as a whole.
     """
     plain, others = _told_apart(text, file)
     with suppress(ReadError):
         read = [sentence for part in _in_parts(text, others) for sentence in parse(part)]
         return sorted([*plain, *read], key=_line_and_column) if read else plain
-    return _with_mistake(text, others, parse)
+    restart()
+    return _with_mistake(text, others, parse, restart)
 
 
 def _line_and_column(sentence: Sentence) -> tuple[int, int]:
@@ -128,7 +130,9 @@ def _alone(text: str, spans: Sequence[_Span]) -> str:
     return "".join(padded)
 
 
-def _with_mistake(text: str, others: Sequence[_Span], parse: Parse) -> list[Sentence]:
+def _with_mistake(
+    text: str, others: Sequence[_Span], parse: Parse, restart: Callable[[], None]
+) -> list[Sentence]:
     """Have the grammar tell the mistake: of the sentences that are not plain, for the others have none.
 
     Only the line that is shown along with it can come out differently; then the grammar has to read the whole text.
@@ -140,4 +144,5 @@ def _with_mistake(text: str, others: Sequence[_Span], parse: Parse) -> list[Sent
         line = 0 if mistake.place is None else mistake.place.line
         if alone.split("\n")[line - 1 : line] == text.split("\n")[line - 1 : line]:
             raise
+    restart()
     return parse(text)

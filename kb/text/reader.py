@@ -2,76 +2,105 @@
 
 from __future__ import annotations
 
-import math
-import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from functools import cache
+from collections.abc import Callable
 from itertools import product
 from pathlib import Path
-from typing import Any
-
-from lark import Lark, Token, Tree, UnexpectedInput
-from lark.exceptions import UnexpectedCharacters, UnexpectedEOF
+from typing import NoReturn, TypeAlias
 
 from casper.kb.errors import DomainError, Place, ReadError
 from casper.kb.terms.clauses import Clause, Directive, Literal, Production, Sentence
-from casper.kb.terms.terms import NIL, Compound, Term, Variable, make_list, predication
+from casper.kb.terms.operators import STANDARD, Operators
+from casper.kb.terms.syntax import COMPARISONS, term_text
+from casper.kb.terms.terms import Compound, Term, Variable, predication
 from casper.kb.terms.unification import variables_of
 from casper.kb.text.bulk_reader import read_large
+from casper.kb.text.directives import OP, Refused, declare, each_of
 from casper.kb.text.namespace import qualified
+from casper.kb.text.parser import Condition, Parser
+from casper.kb.text.tokens import NOTHING, Tokens, excerpt, sentences_of
 
 LARGE = 20_000  # characters from which plain sentences are read by an expression of their own
-_ESCAPES = {"n": "\n", "t": "\t", "\\": "\\", "'": "'", '"': '"', "0": "\0", "r": "\r"}
-_NAMED = frozenset({"atom", "compound"})  # what a clause can be about
-_CONDITIONS = _NAMED | {"compare", "colon"}
-_EXPECTED = {
-    "END": "a full stop",
-    "RPAR": "')'",
-    "RSQB": "']'",
-    "COMMA": "','",
-    "NAME": "a name",
-    "VARIABLE": "a variable",
-    "LPAR": "'('",
-}
+_TOP = 1199  # the highest priority of a head, or of what follows an arrow
+Told: TypeAlias = Callable[[Directive], None]  # who is told of each directive as soon as it is read
 
 
-def read_text(text: str, file: str = "<text>") -> list[Sentence]:
+def read_text(
+    text: str, file: str = "<text>", operators: Operators | None = None, told: Told | None = None
+) -> list[Sentence]:
     """Every sentence of the text, in order.
+
+    Args:
+        text: what to read.
+        file: its name, for places.
+        operators: the table in force, which ``:- op(P, T, Name).`` changes; the standard one if None.
+        told: called with every other directive when it is reached; what it adds to the operators is in force after it.
 
     Raises:
         ReadError: with file, line, column and a caret under the first thing that is not of the language.
     """
-    if len(text) >= LARGE:
-        return read_large(text, file, lambda part: _read_by_grammar(part, file))
-    return _read_by_grammar(text, file)
+    table = STANDARD.copy() if operators is None else operators
+    text = text.removeprefix("\ufeff")
+    if len(text) < LARGE:
+        return read_plainly(text, file, table, told)
+    before = table.copy()
+    return read_large(text, file, lambda part: read_plainly(part, file, table, told), lambda: table.become(before))
 
 
-def _read_by_grammar(text: str, file: str) -> list[Sentence]:
-    tree = _parse(text, file, "start")
-    with _excerpts(text):
-        return [sentence for part in tree.children for sentence in _sentences(part, file)]
+def read_plainly(
+    text: str, file: str = "<text>", operators: Operators | None = None, told: Told | None = None
+) -> list[Sentence]:
+    """As `read_text`, sentence by sentence with the parser, however many there are."""
+    operators = STANDARD.copy() if operators is None else operators
+    places = _Places(text, file)
+    found: list[Sentence] = []
+    for tokens in sentences_of(text):
+        try:
+            found += _sentences(Parser(text, file, tokens, operators), places, told)
+        except RecursionError:
+            place = places.of(tokens.starts[0])
+            shown = excerpt(text, place.line, place.column)
+            raise ReadError("this clause is nested too deeply to be read", place, shown) from None
+    return found
 
 
-def read_file(path: Path) -> list[Sentence]:
+def read_file(path: Path, operators: Operators | None = None, told: Told | None = None) -> list[Sentence]:
     """Every sentence of a file.
 
     Raises:
         DomainError: the file cannot be read.
         ReadError: as `read_text`.
     """
+    return read_text(text_of(path), str(path), operators, told)
+
+
+def text_of(path: Path) -> str:
+    """What a file holds, in UTF-8.
+
+    Raises:
+        DomainError: the file cannot be read.
+    """
     try:
-        text = path.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as mistake:
         raise DomainError(f"cannot read {path} ({mistake})") from None
-    return read_text(text, str(path))
 
 
 def read_query(text: str) -> tuple[tuple[Literal, ...], ...]:
     """The alternatives of a query such as ``eat(A, T, D), \\+ A = tiago``: each a conjunction of literals."""
-    tree = _parse(text, "<query>", "query").children[0]
-    with _excerpts(text):
-        return tuple(tuple(body) for body in _alternatives(tree, "<query>", _Anonymous("<query>")))
+    file, text = "<query>", text.removeprefix("\ufeff")
+    sentences = sentences_of(text)
+    parser = Parser(text, file, next(sentences, None) or _no_tokens(text), STANDARD)
+    try:
+        body = parser.body()
+        if parser.kinds[parser.at] != NOTHING:
+            parser.stop("','")
+            following = next(sentences, None)
+            if following is not None:
+                Parser(text, file, following, STANDARD).unexpected("the end of the question")
+        places = _Places(text, file)
+        return tuple(tuple(literals) for literals in _alternatives(body, places, parser))
+    except RecursionError:
+        raise ReadError("this text is nested too deeply to be read", Place(file, 1, 1)) from None
 
 
 def read_statement(text: str) -> Compound:
@@ -82,107 +111,109 @@ def read_statement(text: str) -> Compound:
     """
     alternatives = read_query(text)
     if len(alternatives) != 1 or len(alternatives[0]) != 1:
-        raise ReadError("one statement is needed here, not several", Place("<query>", 1, 1), _excerpt(text, 1, 1))
+        raise ReadError("one statement is needed here, not several", Place("<query>", 1, 1), excerpt(text, 1, 1))
     literal = alternatives[0][0]
     if literal.negated or literal.is_comparison:
-        raise ReadError("a plain statement is needed here", Place("<query>", 1, 1), _excerpt(text, 1, 1))
+        raise ReadError("a plain statement is needed here", Place("<query>", 1, 1), excerpt(text, 1, 1))
     return literal.atom
 
 
-@cache
-def _parser() -> Lark:
-    grammar = Path(__file__).with_name("grammar.lark").read_text(encoding="utf-8")
-    return Lark(grammar, parser="lalr", start=["start", "query"], propagate_positions=True, maybe_placeholders=True)
+def read_term(text: str, operators: Operators | None = None) -> Term:
+    """One term, with or without its full stop.
 
-
-def _parse(text: str, file: str, start: str) -> Tree[Any]:
+    Raises:
+        ReadError: when the text is not a single term.
+    """
+    text = text.removeprefix("\ufeff")
+    sentences = sentences_of(text)
+    parser = Parser(text, "<term>", next(sentences, None) or _no_tokens(text), operators or STANDARD)
     try:
-        return _parser().parse(text, start=start)
-    except UnexpectedInput as mistake:
-        raise _read_error(mistake, text, file) from None
+        term = parser.term(1200)
     except RecursionError:
-        raise ReadError("this text is nested too deeply to be read", Place(file, 1, 1)) from None
+        raise ReadError("this text is nested too deeply to be read", Place("<term>", 1, 1)) from None
+    if parser.kinds[parser.at] != NOTHING:
+        parser.stop()
+    if (following := next(sentences, None)) is not None:
+        Parser(text, "<term>", following, STANDARD).unexpected("the end of the text")
+    return term
 
 
-def _read_error(mistake: UnexpectedInput, text: str, file: str) -> ReadError:
-    line, column = mistake.line, mistake.column
-    token = getattr(mistake, "token", None)
-    if mistake.pos_in_stream is not None and text.startswith("/*", mistake.pos_in_stream):
-        return ReadError("this comment is never closed", Place(file, line, column), _excerpt(text, line, column))
-    if isinstance(mistake, UnexpectedCharacters):
-        character = text[mistake.pos_in_stream or 0]
-        sentence = f"{character!r} does not belong here"
-        if character in "'\"":
-            sentence = "this quote is never closed on its line"
-            return ReadError(sentence, Place(file, line, column), _excerpt(text, line, column))
-    elif isinstance(mistake, UnexpectedEOF) or token is None or token.type == "$END":
-        written = text.rstrip()  # lark reports the last token; the mistake is what is missing behind it
-        line, column = written.count("\n") + 1, len(written) - written.rfind("\n")
-        sentence = "the text ends here, in the middle of a clause"
-    else:
-        sentence = f"{str(token)!r} does not belong here"
-    expected = set(getattr(mistake, "accepts", None) or getattr(mistake, "allowed", None) or ())
-    wanted = [words for name, words in _EXPECTED.items() if name in expected]
-    if wanted:
-        sentence += f"; expected {' or '.join(wanted)}"
-    return ReadError(sentence, Place(file, line, column), _excerpt(text, line, column))
+def _no_tokens(text: str) -> Tokens:
+    tokens = Tokens()
+    tokens.close(text)
+    return tokens
 
 
-@contextmanager
-def _excerpts(text: str) -> Iterator[None]:
-    """Show the line in mistakes that are found after parsing, too."""
-    try:
-        yield
-    except ReadError as mistake:
-        if mistake.place is not None and not mistake.excerpt:
-            mistake.excerpt = _excerpt(text, mistake.place.line, mistake.place.column)
-        raise
-    except RecursionError:
-        raise ReadError("this text is nested too deeply to be read", Place("<query>", 1, 1)) from None
+class _Places:
+    """Offsets of a text as places, counted on from the last one asked for."""
+
+    def __init__(self, text: str, file: str) -> None:
+        self.text, self.file = text, file
+        self._seen, self._line, self._line_start = 0, 1, 0
+
+    def of(self, at: int) -> Place:
+        """The place of an offset."""
+        if at < self._seen:
+            self._seen, self._line, self._line_start = 0, 1, 0
+        new_lines = self.text.count("\n", self._seen, at)
+        if new_lines:
+            self._line += new_lines
+            self._line_start = self.text.rfind("\n", self._seen, at) + 1
+        self._seen = at
+        return Place(self.file, self._line, at - self._line_start + 1)
 
 
-def _excerpt(text: str, line: int, column: int) -> str:
-    lines = text.split("\n")  # as lark counts them: no other character ends a line
-    shown = "".join(c if c.isprintable() else " " for c in lines[min(line, len(lines)) - 1])
-    return f"    {shown}\n    {' ' * (column - 1)}^"
-
-
-def _place(tree: Tree[Any] | Token, file: str) -> Place:
-    position = tree if isinstance(tree, Token) else tree.meta
-    return Place(file, getattr(position, "line", 0) or 0, getattr(position, "column", 0) or 0)
-
-
-def _sentences(tree: Tree[Any], file: str) -> list[Sentence]:
+def _sentences(parser: Parser, places: _Places, told: Told | None) -> list[Sentence]:
     """The clauses of one sentence: a rule whose body has alternatives is one clause for each."""
-    place, names = _place(tree, file), _Anonymous(file)
+    place = places.of(parser.starts[0])
+    if parser.texts[0] == ":-" and not parser.opens(0):
+        return _directives(parser, place, told)
+    start = parser.start_within_brackets()
+    term = parser.term(_TOP)
+    arrow = parser.texts[parser.at]
+    if arrow not in (":-", "-->"):
+        parser.stop()
+        return [Clause(_statement(term, start, parser), (), place)]
+    head = _statement(term, start, parser)
+    parser.at += 1
+    if arrow == "-->":
+        body = parser.sequence(_TOP)
+        parser.stop("','")
+        return [Production(head, body, place)]
+    condition = parser.body()
+    parser.stop("','")
+    bodies = _alternatives(condition, places, parser)
+    return [Clause(*_renumbered(head, literals), place) for literals in bodies]
+
+
+def _directives(parser: Parser, place: Place, told: Told | None) -> list[Sentence]:
+    """What follows ``:-``: operators are declared at once, and are no sentence."""
+    parser.at = 1
+    start = parser.start_within_brackets()
+    term = parser.term(_TOP)
+    parser.stop()
     try:
-        if tree.data == "directive":
-            return [Directive(_statement(tree.children[0], file, names), place)]
-        head = _statement(tree.children[0], file, names, _NAMED)
-        if tree.data == "fact":
-            return [Clause(head, (), place)]
-        if tree.data == "rule":
-            bodies = _alternatives(tree.children[1], file, names)
-            return [Clause(*_renumbered(head, body), place) for body in bodies]
-        return [Production(head, _term(tree.children[1], names), place)]
-    except RecursionError:
-        raise ReadError("this clause is nested too deeply to be read", place) from None
-
-
-class _Anonymous:
-    """Gives each ``_`` of a clause a name of its own that no text can spell: ``_#1``, ``_#2`` …"""
-
-    def __init__(self, file: str) -> None:
-        self.file, self.count = file, 0
-
-    def next(self) -> Variable:
-        self.count += 1
-        return Variable(f"_#{self.count}")
+        statement = predication(term)
+    except TypeError:
+        _cannot_stand(term, start, parser)
+    if statement.indicator == OP:
+        try:
+            declare(statement, parser.operators)
+        except Refused as mistake:
+            parser.refuse(parser.starts[0], str(mistake))
+        return []
+    found = [Directive(each, place) for each in each_of(statement)]
+    if told is not None:
+        for directive in found:
+            told(directive)
+    return list(found)
 
 
 def _renumbered(head: Compound, body: list[Literal]) -> tuple[Compound, tuple[Literal, ...]]:
     """The clause with its anonymous variables numbered anew: equal clauses are equal however they were written."""
     anonymous = [v for v in variables_of(head, *(x.atom for x in body)) if v.name.startswith("_#")]
+    if not anonymous:
+        return head, tuple(body)
     names = {old: Variable(f"_#{number}") for number, old in enumerate(anonymous, 1)}
     literals = tuple(Literal(_renamed(x.atom, names), x.negated, x.place) for x in body)
     return _renamed(head, names), literals
@@ -194,105 +225,49 @@ def _renamed(term: Term, names: dict[Variable, Variable]) -> Term:
     return names.get(term, term) if isinstance(term, Variable) else term
 
 
-def _statement(tree: Tree[Any], file: str, names: _Anonymous, shapes: frozenset[str] | None = None) -> Compound:
-    """The tree as something that can be true; ``shapes`` are the kinds of term allowed (None: all that can)."""
-    while tree.data == "group":
-        tree = tree.children[0]
-    term = _term(tree, names)
-    if shapes is _CONDITIONS:
-        term = qualified(term)
-    is_pair = tree.data == "colon" and isinstance(term, Compound) and term.functor == ":"
-    try:
-        if shapes is None or (tree.data in shapes and not is_pair):
-            return predication(term)
-    except TypeError:
-        pass
-    from casper.kb.terms.syntax import term_text
+def _statement(term: Term, start: int, parser: Parser) -> Compound:
+    """The term that was just read as something that can be true.
 
-    sentence = f"{term_text(term)} cannot stand here: a name or name(arguments) is needed"
-    raise ReadError(sentence, _place(tree, file)) from None
+    Raises:
+        ReadError: it is a number, a variable, a list, or written with an operator of the standard table.
+    """
+    if not parser.is_named or (isinstance(term, Compound) and term.indicator == (":", 2)):
+        _cannot_stand(term, start, parser)
+    return predication(term)
 
 
-def _alternatives(tree: Tree[Any], file: str, names: _Anonymous) -> list[list[Literal]]:
+def _cannot_stand(term: Term, start: int, parser: Parser) -> NoReturn:
+    parser.refuse(start, f"{term_text(term)} cannot stand here: a name or name(arguments) is needed")
+
+
+def _alternatives(condition: Condition, places: _Places, parser: Parser) -> list[list[Literal]]:
     """A body in disjunctive normal form: alternatives, each a list of literals in the author's order."""
-    if tree.data == "group":
-        return _alternatives(tree.children[0], file, names)
-    if tree.data == "or_":
-        return [body for child in tree.children for body in _alternatives(child, file, names)]
-    if tree.data == "and_":
-        parts = [_alternatives(child, file, names) for child in tree.children]
+    if condition.shape == "or":
+        return [body for part in condition.parts for body in _alternatives(part, places, parser)]
+    if condition.shape == "and":
+        parts = [_alternatives(part, places, parser) for part in condition.parts]
         return [[literal for part in choice for literal in part] for choice in product(*parts)]
-    return [[_literal(tree, file, names)]]
+    return [[_literal(condition, places, parser)]]
 
 
-def _literal(tree: Tree[Any], file: str, names: _Anonymous, negated: bool = False) -> Literal:
-    if tree.data == "group":
-        return _literal(tree.children[0], file, names, negated)
-    if tree.data == "not_":
-        return _literal(tree.children[1], file, names, not negated)
-    if tree.data in ("and_", "or_"):
+def _literal(condition: Condition, places: _Places, parser: Parser, negated: bool = False) -> Literal:
+    if condition.shape == "not":
+        return _literal(condition.parts[0], places, parser, not negated)
+    if condition.shape == "then":
+        sentence = "-> cannot stand here: say with \\+ and ; when each of the two is meant"
+        parser.refuse(condition.start, sentence)
+    if condition.shape != "goal":
         sentence = "only one condition can be negated at a time; give these a rule of their own and negate its head"
-        raise ReadError(sentence, _place(tree, file))
-    return Literal(_statement(tree, file, names, _CONDITIONS), negated, _place(tree, file))
+        parser.refuse(condition.start, sentence)
+    return Literal(_goal(condition, parser), negated, places.of(condition.start))
 
 
-def _term(tree: Tree[Any], names: _Anonymous) -> Term:
-    children: Sequence[Any] = tree.children
-    match tree.data:
-        case "atom":
-            return _name(children[0])
-        case "variable":
-            return names.next() if children[0] == "_" else Variable(str(children[0]))
-        case "number":
-            return _number(children[0], names.file)
-        case "negative":
-            return -_number(children[1], names.file)
-        case "nil":
-            return NIL
-        case "group":
-            return _term(children[0], names)
-        case "compound":
-            return Compound([_name(children[0]), *(_term(child, names) for child in children[1].children)])
-        case "list":
-            tail = NIL if children[1] is None else _term(children[1], names)
-            return make_list((_term(child, names) for child in children[0].children), tail)
-        case "compare" | "binary":
-            return Compound((str(children[1]), _term(children[0], names), _term(children[2], names)))
-        case "colon":
-            return Compound((":", _term(children[0], names), _term(children[1], names)))
-        case "not_":
-            return Compound(("\\+", _term(children[1], names)))
-        case "and_" | "or_":
-            functor = "," if tree.data == "and_" else ";"
-            return Compound([functor, *(_term(child, names) for child in children)])
-    raise AssertionError(f"the grammar has no {tree.data}")
-
-
-def _name(token: Token) -> str:
-    """The atom a token spells, interned: rows are then compared by identity, as Python's own names are."""
-    text = str(token)
-    if token.type not in ("QUOTED", "TEXT"):
-        return sys.intern(text)
-    quote, inner = text[0], text[1:-1]
-    parts, at = [], 0
-    while at < len(inner):
-        if inner[at] == "\\":
-            parts.append(_ESCAPES.get(inner[at + 1], inner[at + 1]))
-            at += 2
-        elif inner[at] == quote:  # a doubled quote
-            parts.append(quote)
-            at += 2
-        else:
-            parts.append(inner[at])
-            at += 1
-    return sys.intern("".join(parts))
-
-
-def _number(token: Token, file: str) -> int | float:
-    try:
-        value = int(token) if token.isdigit() else float(token)
-    except ValueError:  # more digits than Python reads
-        value = math.inf
-    if value in (math.inf, -math.inf):
-        raise ReadError("this number is too large", _place(token, file))
-    return value
+def _goal(condition: Condition, parser: Parser) -> Compound:
+    """A condition's atom: a name, ``name(arguments)``, with a prefix or not, or a comparison."""
+    term = qualified(condition.goal)
+    is_pair = isinstance(term, Compound) and term.indicator == (":", 2)
+    is_qualified = term is not condition.goal and not is_pair
+    is_comparison = isinstance(term, Compound) and term.arity == 2 and term.functor in COMPARISONS
+    if is_pair or not (condition.is_named or is_qualified or is_comparison):
+        _cannot_stand(term, condition.start, parser)
+    return predication(term)

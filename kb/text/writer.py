@@ -23,9 +23,9 @@ def sentence_text(sentence: Sentence) -> str:
         case Clause(head, body):
             return f"{term_text(as_term(head))} :- {', '.join(map(literal_text, body))}."
         case Production(head, body):
-            return f"{term_text(as_term(head))} --> {term_text(body, 1200)}."
+            return f"{term_text(as_term(head))} --> {term_text(body, 1199, sequences=True)}."
         case Directive(term):
-            return f":- {term_text(as_term(term))}."
+            return f":- {term_text(as_term(term), 1199)}."
     raise TypeError(f"{sentence!r} is no sentence of the language")
 
 

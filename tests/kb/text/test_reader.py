@@ -1,16 +1,15 @@
 """The language: every form of it, and one sentence with a place for what is not of it."""
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
-from hypothesis.extra.lark import from_lark
 from programs import texts
 
 from casper.kb.errors import DomainError, ReadError
 from casper.kb.terms.clauses import Clause, Directive, Literal, Production
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Variable, make_list
-from casper.kb.text.reader import _parser, read_file, read_query, read_statement, read_text
+from casper.kb.text.reader import read_file, read_query, read_statement, read_text
 from casper.kb.text.writer import program_text
 
 X, Y = Variable("X"), Variable("Y")
@@ -57,7 +56,7 @@ def argument(text):
         ("a: b: c", Compound((":", "a", Compound((":", "b", "c"))))),
         ("a < b", Compound(("<", "a", "b"))),
         ("X is 1", Compound(("is", X, 1))),
-        ("(a, b, c)", Compound((",", "a", "b", "c"))),
+        ("(a, b, c)", Compound((",", "a", Compound((",", "b", "c"))))),
         ("(a ; b)", Compound((";", "a", "b"))),
         ("\\+ a", Compound(("\\+", "a"))),
         ("((a))", "a"),
@@ -214,23 +213,6 @@ def test_a_file_that_is_no_text_is_named(tmp_path):
     (tmp_path / "x.pl").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(DomainError, match=r"cannot read .*x\.pl"):
         read_file(tmp_path / "x.pl")
-
-
-# END and MINUS end in a look-ahead, which a terminal on its own can never satisfy; sentences are put together below.
-_bodies = from_lark(
-    _parser(), start="query", explicit={"END": st.just(""), "MINUS": st.just("-")}, alphabet=st.characters(codec="ascii")
-)
-
-
-@settings(max_examples=settings.default.max_examples // 16, suppress_health_check=list(HealthCheck))  # slow to draw
-@given(_bodies)
-def test_whatever_the_grammar_can_spell_is_read_or_refused_in_words(body):
-    for text in (f"p :- {body}\n.", f"p --> {body}\n.", f":- {body}\n.", f"p(({body}\n))."):
-        try:
-            sentences = read_text(text)
-        except ReadError:
-            continue
-        assert read_text(program_text(sentences)) == sentences
 
 
 @given(st.text(st.sampled_from(list("pXq_0('\"[]),.;|\\+-:=<> %/*\n!é")), max_size=30))
