@@ -12,10 +12,11 @@ from casper.kb.reasons.validity import History, valid_instances, with_history
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.store.model import Model
 from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence
+from casper.kb.terms.origins import Origin, clause_behind
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import is_ground, unify
-from casper.kb.text.reader import read_statement, read_text
+from casper.kb.text.reader import read_blocks, read_statement, read_text
 from casper.kb.text.writer import program_text
 from casper.kb.top_down.solve import DEFAULT_BUDGET, Computed, Solver
 
@@ -31,7 +32,7 @@ class ClauseStore:
 
     def __init__(self, clauses: Iterable[Clause] = (), dynamic: Iterable[Indicator] = ()) -> None:
         self._clauses: dict[Clause, None] = dict.fromkeys(clauses)  # in the author's order, each once
-        self._bulk: dict[Indicator, dict[Row, None]] = {}
+        self._bulk: dict[Indicator, dict[Row, Origin]] = {}
         self._dynamic: set[Indicator] = set(dynamic)
         self._statements: dict[Indicator, None] = {}
         self._cached: Model | None = None
@@ -49,7 +50,10 @@ class ClauseStore:
             ReadError, ProgramError: with the place of the first mistake.
         """
         base = cls()
-        base.add(read_text(text, file))
+        sentences, blocks = read_blocks(text, file)
+        base.add(sentences)
+        for block in blocks:
+            base._load(block.indicator, block.rows, block)
         base.compile()
         return base
 
@@ -98,7 +102,7 @@ class ClauseStore:
     @property
     def clauses(self) -> Sequence[Clause]:
         """Every clause, in the author's order, then the facts that were loaded in bulk."""
-        loaded = (Clause(Compound((name, *row))) for (name, _), rows in self._bulk.items() for row in rows)
+        loaded = (_stated(i, row, behind) for i, rows in self._bulk.items() for row, behind in rows.items())
         return (*self._clauses, *loaded)
 
     def to_text(self) -> str:
@@ -170,8 +174,14 @@ class ClauseStore:
         if any(type(value) is Variable for row in loaded for value in row):
             raise ProgramError(f"a row of {name} has a variable; only constants can be loaded")
         if arities:
-            self._bulk.setdefault((name, arities.pop()), {}).update(dict.fromkeys(loaded))
-            self._forget()
+            self._load((name, arities.pop()), loaded, None)
+
+    def _load(self, indicator: Indicator, rows: Iterable[Row], origin: Origin) -> None:
+        known = self._bulk.get(indicator, {})
+        new: dict[Row, Origin] = dict.fromkeys(rows, origin)
+        new.update(known)
+        self._bulk[indicator] = new
+        self._forget()
 
     # --- for those who ask -----------------------------------------------------------------------------------------
 
@@ -180,7 +190,7 @@ class ClauseStore:
         model = self._model
         if not model.keeps(indicator):
             return model.program.clauses.get(indicator, ())
-        facts = (clause or Clause(Compound((indicator[0], *row))) for row, clause in model.given[indicator].items())
+        facts = (_stated(indicator, row, behind) for row, behind in model.given[indicator].items())
         return (*facts, *model.program.rules[indicator])
 
     def defines(self, name: str, arity: int) -> bool:
@@ -254,11 +264,17 @@ class ClauseStore:
         return _statement_of_text(statement) if isinstance(statement, str) else predication(statement)
 
     def __len__(self) -> int:
-        return len(self._clauses)
+        return len(self._clauses) + sum(map(len, self._bulk.values()))
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {len(self._clauses)} clauses>"
+        return f"<{type(self).__name__}: {len(self)} clauses>"
 
+
+
+
+def _stated(indicator: Indicator, row: Row, origin: Origin) -> Clause:
+    """The fact that states a row."""
+    return clause_behind(Compound((indicator[0], *row)), origin)
 
 
 def _dynamic(directive: Directive) -> Indicator:

@@ -1,8 +1,8 @@
-"""Reading large texts: plain sentences by one regular expression, everything else by the grammar.
+"""Reading large texts: plain sentences by one regular expression, everything else by the parser.
 
 A knowledge base of 85,000 facts is mostly ``name(atom, 12).`` lines, a library of 10,000 goals ``name(X) --> one(X),
-two(X, cup).`` lines, for which a general parser is fifty times too slow. What the expression matches is exactly what
-the grammar would read; a mistake is told by the grammar, in its own words and place.
+two(X, cup).`` lines, for which a general parser is many times too slow. What the expression matches is exactly what
+the parser would read; a mistake is told by the parser, in its own words and place.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from typing import TypeAlias
 from casper.kb.errors import Place, ReadError
 from casper.kb.terms.clauses import Clause, Literal, Production, Sentence
 from casper.kb.terms.terms import Compound, predication
+from casper.kb.text.bulk_facts import BlockReader
 from casper.kb.text.bulk_terms import TERM, TERMS, Terms, first_anonymous, numbered, part_matches, parts
 from casper.kb.text.tokens import COMMENT, OTHERS, STOP, WITHIN
 
@@ -27,14 +28,20 @@ _PLAIN = re.compile(rf"{_BLANK}({TERM})(?:\s*+(-->|:-)\s*+({TERMS}))?\s*+{STOP}"
 # Up to the full stop of a sentence; a full stop within these tokens ends nothing. Each ends in one way only: where no
 # full stop follows, the expression does not search for it long.
 _SENTENCE = re.compile(rf"(?:{WITHIN}|\w++|\s++|{OTHERS})*+{STOP}")
-_MOST_SENTENCES = 400  # handed to the grammar at once
+_MOST_SENTENCES = 400  # handed to the parser at once
 
 
 def _as_it_was() -> None:
     """Nothing to forget."""
 
 
-def read_large(text: str, file: str, parse: Parse, restart: Callable[[], None] = _as_it_was) -> list[Sentence]:
+def read_large(
+    text: str,
+    file: str,
+    parse: Parse,
+    restart: Callable[[], None] = _as_it_was,
+    blocks: BlockReader | None = None,
+) -> list[Sentence]:
     """Every sentence of a large text, as ``parse(text)`` would give them.
 
     Args:
@@ -42,11 +49,12 @@ def read_large(text: str, file: str, parse: Parse, restart: Callable[[], None] =
         file: its name, for places.
         parse: reads any sentences; it is given parts of the text, padded so that places come out right.
         restart: makes ``parse`` forget the operators it was told of, before it reads from the start again.
+        blocks: takes runs of facts, which are then no sentences; None: every fact is a clause.
 
     Raises:
         ReadError: from the parser, as for the text as a whole.
     """
-    plain, others = _told_apart(text, file)
+    plain, others = _told_apart(text, file, blocks)
     with suppress(ReadError):
         read = [sentence for part in _in_parts(text, others) for sentence in parse(part)]
         return sorted([*plain, *read], key=_line_and_column) if read else plain
@@ -58,23 +66,25 @@ def _line_and_column(sentence: Sentence) -> tuple[int, int]:
     return sentence.place.line, sentence.place.column
 
 
-def _told_apart(text: str, file: str) -> tuple[list[Sentence], list[_Span]]:
+def _told_apart(text: str, file: str, blocks: BlockReader | None) -> tuple[list[Sentence], list[_Span]]:
     """The plain sentences, read, and where the others stand, each with the blanks and comments behind it."""
     reader, match, at = _PlainReader(text, file), _PLAIN.match, 0
     plain: list[Sentence] = []
     others: list[_Span] = []
     while True:
         found = match(text, at)
-        if found is not None:
+        if found is not None and blocks is not None and (end := blocks.run(at)) is not None:
+            at = end
+        elif found is not None:
             plain.append(reader.sentence(found))
             at = found.end()
-            continue
-        begin = _blank_end(text, at)
-        if begin == len(text):
-            return plain, others
-        sentence = _SENTENCE.match(text, begin)
-        at = len(text) if sentence is None else _blank_end(text, sentence.end())
-        others.append((begin, at))
+        else:
+            begin = _blank_end(text, at)
+            if begin == len(text):
+                return plain, others
+            sentence = _SENTENCE.match(text, begin)
+            at = len(text) if sentence is None else _blank_end(text, sentence.end())
+            others.append((begin, at))
 
 
 def _blank_end(text: str, at: int) -> int:
@@ -133,9 +143,9 @@ def _alone(text: str, spans: Sequence[_Span]) -> str:
 def _with_mistake(
     text: str, others: Sequence[_Span], parse: Parse, restart: Callable[[], None]
 ) -> list[Sentence]:
-    """Have the grammar tell the mistake: of the sentences that are not plain, for the others have none.
+    """Have the parser tell the mistake: of the sentences that are not plain, for the others have none.
 
-    Only the line that is shown along with it can come out differently; then the grammar has to read the whole text.
+    Only the line that is shown along with it can come out differently; then the parser has to read the whole text.
     """
     alone = _alone(text, others)
     try:

@@ -42,7 +42,7 @@ class Terms(dict[str, Term]):
 
     def __missing__(self, text: str) -> Term:
         if text < "A":  # digits stand before the capitals and ``_``, and those before the small letters
-            term: Term = int(text)
+            term: Term = float(text) if "." in text else int(text)
         elif text < "a":
             term = Variable(text)
         else:

@@ -10,9 +10,11 @@ from typing import NoReturn, TypeAlias
 from casper.kb.errors import DomainError, Place, ReadError
 from casper.kb.terms.clauses import Clause, Directive, Literal, Production, Sentence
 from casper.kb.terms.operators import STANDARD, Operators
+from casper.kb.terms.origins import FactBlock
 from casper.kb.terms.syntax import COMPARISONS, term_text
 from casper.kb.terms.terms import Compound, Term, Variable, predication
 from casper.kb.terms.unification import variables_of
+from casper.kb.text.bulk_facts import BlockReader
 from casper.kb.text.bulk_reader import read_large
 from casper.kb.text.directives import OP, Refused, declare, each_of
 from casper.kb.text.namespace import qualified
@@ -38,12 +40,25 @@ def read_text(
     Raises:
         ReadError: with file, line, column and a caret under the first thing that is not of the language.
     """
-    table = STANDARD.copy() if operators is None else operators
+    return _read(text.removeprefix("\ufeff"), file, STANDARD.copy() if operators is None else operators, told, None)
+
+
+def read_blocks(text: str, file: str = "<text>") -> tuple[list[Sentence], list[FactBlock]]:
+    """As `read_text`, with the long runs of plain facts of a large text as blocks of rows, not as sentences."""
     text = text.removeprefix("\ufeff")
+    reader = BlockReader(text, file)
+    return _read(text, file, STANDARD.copy(), None, reader), reader.blocks()
+
+
+def _read(
+    text: str, file: str, table: Operators, told: Told | None, blocks: BlockReader | None
+) -> list[Sentence]:
     if len(text) < LARGE:
         return read_plainly(text, file, table, told)
     before = table.copy()
-    return read_large(text, file, lambda part: read_plainly(part, file, table, told), lambda: table.become(before))
+    return read_large(
+        text, file, lambda part: read_plainly(part, file, table, told), lambda: table.become(before), blocks
+    )
 
 
 def read_plainly(
