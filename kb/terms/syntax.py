@@ -37,10 +37,6 @@ def atom_text(atom: str) -> str:
     return quoted(atom, '"' if " " in atom else "'", doubled=True)
 
 
-def _functor_text(atom: str) -> str:
-    return atom if is_word(atom) else quoted(atom, doubled=True)
-
-
 def _compound_text(term: tuple[Any, ...], limit: int, sequences: bool) -> str:
     functor, *args = term
     if functor == "." and len(args) == 2:
@@ -52,9 +48,14 @@ def _compound_text(term: tuple[Any, ...], limit: int, sequences: bool) -> str:
     operator, priority = _operator_text(term, sequences)
     if operator:
         return f"({operator})" if priority > limit else operator
-    if not args:
-        return _functor_text(functor)
-    return f"{_functor_text(functor)}({', '.join(term_text(arg, ARGUMENT, sequences) for arg in args)})"
+    return statement_text(term, sequences)
+
+
+def statement_text(term: tuple[Any, ...], sequences: bool = False) -> str:
+    """A compound as a name, or ``name(arguments)``, even where its functor is an operator: ``'+'(1, 2)``."""
+    functor, *args = term
+    name = atom_text(functor) if is_word(functor) else quoted(functor, doubled=True)
+    return f"{name}({', '.join(term_text(arg, ARGUMENT, sequences) for arg in args)})" if args else name
 
 
 def _list_items(cell: Any) -> tuple[list[Any], Any]:

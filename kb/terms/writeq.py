@@ -21,7 +21,8 @@ def writeq(term: Any, limit: int = HIGHEST) -> str:
         return _compound(term, limit)
     if isinstance(term, str):
         name = _atom(term)
-        return f"({name})" if limit < HIGHEST and term in STANDARD else name
+        is_operator = term in STANDARD or term == "."  # SWI-Prolog's operator of dicts, which are no terms here
+        return f"({name})" if limit < HIGHEST and is_operator else name
     return number_text(term) if isinstance(term, (int, float)) else str(term)
 
 

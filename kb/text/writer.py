@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from casper.kb.terms.clauses import Clause, Directive, Literal, Production, Sentence
-from casper.kb.terms.syntax import term_text
+from casper.kb.terms.syntax import statement_text, term_text
 from casper.kb.terms.terms import as_term
 
 
 def literal_text(literal: Literal) -> str:
     """One condition as it stands in a body."""
-    text = term_text(as_term(literal.atom), 700 if literal.is_comparison else 999)
+    text = term_text(literal.atom, 700) if literal.is_comparison else statement_text(literal.atom)
     return f"\\+ {text}" if literal.negated else text
 
 
@@ -19,11 +19,11 @@ def sentence_text(sentence: Sentence) -> str:
     """One clause, production or directive, with its full stop."""
     match sentence:
         case Clause(head, ()):
-            return f"{term_text(as_term(head))}."
+            return f"{statement_text(head)}."
         case Clause(head, body):
-            return f"{term_text(as_term(head))} :- {', '.join(map(literal_text, body))}."
+            return f"{statement_text(head)} :- {', '.join(map(literal_text, body))}."
         case Production(head, body):
-            return f"{term_text(as_term(head))} --> {term_text(body, 1199, sequences=True)}."
+            return f"{statement_text(head)} --> {term_text(body, 1199, sequences=True)}."
         case Directive(term):
             return f":- {term_text(as_term(term), 1199)}."
     raise TypeError(f"{sentence!r} is no sentence of the language")
