@@ -10,6 +10,7 @@ from casper.kb.errors import ProgramError
 from casper.kb.program.refusals import undefined_sentence
 from casper.kb.reasons.validity import History, valid_instances, with_history
 from casper.kb.relations.relation import Relation, Row
+from casper.kb.store.loading import loading
 from casper.kb.store.model import Model
 from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence
 from casper.kb.terms.origins import Origin, clause_behind
@@ -50,11 +51,12 @@ class ClauseStore:
             ReadError, ProgramError: with the place of the first mistake.
         """
         base = cls()
-        sentences, blocks = read_blocks(text, file)
-        base.add(sentences)
-        for block in blocks:
-            base._load(block.indicator, block.rows, block)
-        base.compile()
+        with loading():
+            sentences, blocks = read_blocks(text, file)
+            base.add(sentences)
+            for block in blocks:
+                base._load(block.indicator, block.rows, block)
+            base.compile()
         return base
 
     def add(self, sentences: Iterable[Sentence]) -> None:
