@@ -1,19 +1,19 @@
 """The parser: the tokens of a sentence become terms, by the priorities of operators.
 
-Bodies are read as conditions (`Condition`), each with its place; everything else as terms. ``a, b, c`` is ISO Prolog's
-``','(a, ','(b, c))``; in the body of a production it is one sequence of three, as plans are written.
+``a, b, c`` is ISO Prolog's ``','(a, ','(b, c))``; in the body of a production it is one sequence of three, as plans are
+written. The bodies of rules are read by `conditions`.
 """
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Literal, NoReturn, TypeAlias
+from collections.abc import Sequence
+from typing import NoReturn
 
 from casper.kb.errors import ReadError
 from casper.kb.terms.operators import ARGUMENT, HIGHEST, Operators
 from casper.kb.terms.terms import NIL, Compound, Term, Variable, make_list
+from casper.kb.text.places import mistake_at
 from casper.kb.text.tokens import (
     CODES,
     END,
@@ -26,39 +26,13 @@ from casper.kb.text.tokens import (
     VARIABLE,
     Tokens,
     Unreadable,
-    mistake_at,
     number,
     unquoted,
 )
 
-Shape: TypeAlias = Literal["goal", "and", "or", "then", "not"]
-_CONTROL = {",": "and", ";": "or", "->": "then"}
 _STARTS = frozenset({NAME, QUOTED, CODES, VARIABLE, NUMBER})
 _OPENING = frozenset("([{")
 _OPERAND = "a name or a variable or '('"
-
-
-@dataclass(slots=True)
-class Condition:
-    """A part of a body: a goal, or conditions under ``,`` ``;`` ``->`` ``\\+``.
-
-    ``is_named``: a goal is written as a name or ``name(arguments)``, or with an operator that the text declared.
-    """
-
-    shape: Shape
-    start: int
-    parts: Sequence[Condition] = ()
-    goal: Term = None
-    is_named: bool = False
-
-    def term(self) -> Term:
-        """The condition as the term it is in ISO Prolog."""
-        if self.shape == "goal":
-            return self.goal
-        terms = [part.term() for part in self.parts]
-        if self.shape == "not":
-            return Compound(("\\+", *terms))
-        return right_fold({"and": ",", "or": ";", "then": "->"}[self.shape], terms)
 
 
 def right_fold(functor: str, terms: Sequence[Term]) -> Term:
@@ -78,7 +52,8 @@ class Parser:
         tokens: those of the sentence.
         operators: the table in force.
 
-    ``at`` is the number of the next token; ``is_named`` tells of the last term what `Condition.is_named` says of goals.
+    ``at`` is the number of the next token; ``is_named`` tells of the last term whether it is written as a name or
+    ``name(arguments)``, or with an operator that the text declared: only then it can be a statement.
     """
 
     def __init__(self, text: str, file: str, tokens: Tokens, operators: Operators) -> None:
@@ -125,8 +100,8 @@ class Parser:
         infix = self.operators.infix
         while True:
             name = self.texts[self.at]
-            if (found := infix.get(name)) is None or not self._is_operator():
-                if not self._is_operator() or (after := self.operators.postfix.get(name)) is None:
+            if (found := infix.get(name)) is None or not self.is_operator():
+                if not self.is_operator() or (after := self.operators.postfix.get(name)) is None:
                     break
                 if after[0] > most or priority > after[1]:
                     break
@@ -151,12 +126,13 @@ class Parser:
     def _series(self, name: str, first: Term, most: int) -> Term:
         """``a, b, c``: a loop, because a sequence may be longer than Python's stack."""
         items = [first]
-        while self.texts[self.at] == name and self._is_operator():
+        while self.texts[self.at] == name and self.is_operator():
             self.at += 1
             items.append(self.term(most - 1))
         return Compound((name, *items)) if self.sequences else right_fold(name, items)
 
-    def _is_operator(self) -> bool:
+    def is_operator(self) -> bool:
+        """Whether the next token can be an operator."""
         kind = self.kinds[self.at]
         return kind == NAME or (kind == PUNCTUATION and self.texts[self.at] in ",|")
 
@@ -222,7 +198,7 @@ class Parser:
         """``name(arguments)``. (The loops here are not shared: every call in between costs depth of nesting.)"""
         self.at += 2
         arguments = [self.term(ARGUMENT)]
-        while self._takes(","):
+        while self.takes(","):
             arguments.append(self.term(ARGUMENT))
         self.expect(")", "','")
         self._priority, self.is_named = 0, True
@@ -232,12 +208,12 @@ class Parser:
         """``[items | tail]``."""
         self.at += 1
         self._priority, self.is_named = 0, False
-        if self._takes("]"):
+        if self.takes("]"):
             return NIL
         items, tail = [self.term(ARGUMENT)], NIL
-        while self._takes(","):
+        while self.takes(","):
             items.append(self.term(ARGUMENT))
-        if self._takes("|"):
+        if self.takes("|"):
             tail = self.term(ARGUMENT)
             self.expect("]")
         else:
@@ -253,7 +229,7 @@ class Parser:
             self.expect(")")
             self._priority = 0
             return term
-        if self._takes("}"):
+        if self.takes("}"):
             if self.texts[self.at] == "(" and self.starts[self.at] == self.tokens.end(self.at - 1):
                 self.at -= 1
                 return self._compound("{}")
@@ -282,54 +258,10 @@ class Parser:
         except Unreadable as mistake:
             self.refuse(self.starts[at] + mistake.at, mistake.sentence)
 
-    # --- bodies -----------------------------------------------------------------------------------------------------
-
-    def body(self) -> Condition:
-        """Conditions with ``;`` between, and ``->`` and ``,`` within."""
-        return self._joined("or", ";", lambda: self._joined("then", "->", self._conjunction))
-
-    def _conjunction(self) -> Condition:
-        return self._joined("and", ",", self._condition)
-
-    def _joined(self, shape: Shape, between: str, part: Callable[[], Condition]) -> Condition:
-        first = part()
-        parts = [first]
-        while self.texts[self.at] == between and self._is_operator():
-            self.at += 1
-            parts.append(part())
-        return first if len(parts) == 1 else Condition(shape, first.start, parts)
-
-    def _condition(self) -> Condition:
-        """One condition, or several in brackets."""
-        start = self.starts[self.at]
-        if self._takes("\\+"):
-            return self._continued(Condition("not", start, [self._negated()]), 900)
-        if self._takes("("):
-            inner = self.body()
-            inner = self._continued(inner, 1100, HIGHEST)
-            self.expect(")", "','")
-            return self._continued(inner, 0)
-        term = self.term(ARGUMENT)
-        return Condition("goal", start, (), term, self.is_named)
-
-    def _negated(self) -> Condition:
-        """What ``\\+`` stands before: a condition of no higher priority."""
-        if self.texts[self.at] in ("\\+", "("):
-            return self._condition()
-        start = self.starts[self.at]
-        return Condition("goal", start, (), self.term(900), self.is_named)
-
-    def _continued(self, condition: Condition, priority: int, most: int = ARGUMENT) -> Condition:
-        """The condition, unless an operator follows that makes a term of it: ``(a, b) = X``."""
-        found = self.operators.infix.get(self.texts[self.at])
-        if found is None or found[0] > most or not self._is_operator() or self.texts[self.at] in _CONTROL:
-            return condition
-        term = self.continued(condition.term(), priority, most)
-        return Condition("goal", condition.start, (), term, self.is_named)
-
     # --- what is wrong ----------------------------------------------------------------------------------------------
 
-    def _takes(self, sign: str) -> bool:
+    def takes(self, sign: str) -> bool:
+        """Go past the next token if it is that sign; whether it was."""
         if self.texts[self.at] == sign:
             self.at += 1
             return True
@@ -341,7 +273,7 @@ class Parser:
         Raises:
             ReadError: something else stands there.
         """
-        if not self._takes(closing):
+        if not self.takes(closing):
             self.unexpected(f"'{closing}'", *others)
 
     def refuse(self, at: int, sentence: str) -> NoReturn:

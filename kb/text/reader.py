@@ -2,28 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from itertools import product
 from pathlib import Path
-from typing import NoReturn, TypeAlias
 
 from casper.kb.errors import DomainError, Place, ReadError
-from casper.kb.terms.clauses import Clause, Directive, Literal, Production, Sentence
-from casper.kb.terms.operators import STANDARD, Operators
+from casper.kb.terms.clauses import Literal, Sentence
+from casper.kb.terms.operators import HIGHEST, STANDARD, Operators
 from casper.kb.terms.origins import FactBlock
-from casper.kb.terms.syntax import COMPARISONS, term_text
-from casper.kb.terms.terms import Compound, Term, Variable, predication
-from casper.kb.terms.unification import variables_of
-from casper.kb.text.bulk_facts import BlockReader
-from casper.kb.text.bulk_reader import read_large
-from casper.kb.text.directives import OP, Refused, declare, each_of
-from casper.kb.text.namespace import qualified
-from casper.kb.text.parser import Condition, Parser
-from casper.kb.text.tokens import NOTHING, Tokens, excerpt, sentences_of
+from casper.kb.terms.terms import Compound, Term
+from casper.kb.text.bulk.facts import BlockReader
+from casper.kb.text.bulk.reader import read_large
+from casper.kb.text.conditions import ConditionParser
+from casper.kb.text.places import Places, excerpt
+from casper.kb.text.sentences import Told as Told
+from casper.kb.text.sentences import alternatives, sentences_read
+from casper.kb.text.tokens import NOTHING, Tokens, sentences_of
 
 LARGE = 20_000  # characters from which plain sentences are read by an expression of their own
-_TOP = 1199  # the highest priority of a head, or of what follows an arrow
-Told: TypeAlias = Callable[[Directive], None]  # who is told of each directive as soon as it is read
 
 
 def read_text(
@@ -66,11 +60,11 @@ def read_plainly(
 ) -> list[Sentence]:
     """As `read_text`, sentence by sentence with the parser, however many there are."""
     operators = STANDARD.copy() if operators is None else operators
-    places = _Places(text, file)
+    places = Places(text, file)
     found: list[Sentence] = []
     for tokens in sentences_of(text):
         try:
-            found += _sentences(Parser(text, file, tokens, operators), places, told)
+            found += sentences_read(ConditionParser(text, file, tokens, operators), places, told)
         except RecursionError:
             place = places.of(tokens.starts[0])
             shown = excerpt(text, place.line, place.column)
@@ -104,16 +98,16 @@ def read_query(text: str) -> tuple[tuple[Literal, ...], ...]:
     """The alternatives of a query such as ``eat(A, T, D), \\+ A = tiago``: each a conjunction of literals."""
     file, text = "<query>", text.removeprefix("\ufeff")
     sentences = sentences_of(text)
-    parser = Parser(text, file, next(sentences, None) or _no_tokens(text), STANDARD)
+    parser = ConditionParser(text, file, next(sentences, None) or _no_tokens(text), STANDARD)
     try:
         body = parser.body()
         if parser.kinds[parser.at] != NOTHING:
             parser.stop("','")
             following = next(sentences, None)
             if following is not None:
-                Parser(text, file, following, STANDARD).unexpected("the end of the question")
-        places = _Places(text, file)
-        return tuple(tuple(literals) for literals in _alternatives(body, places, parser))
+                ConditionParser(text, file, following, STANDARD).unexpected("the end of the question")
+        places = Places(text, file)
+        return tuple(tuple(literals) for literals in alternatives(body, places, parser))
     except RecursionError:
         raise ReadError("this text is nested too deeply to be read", Place(file, 1, 1)) from None
 
@@ -124,10 +118,10 @@ def read_statement(text: str) -> Compound:
     Raises:
         ReadError: when the text is not a single atom.
     """
-    alternatives = read_query(text)
-    if len(alternatives) != 1 or len(alternatives[0]) != 1:
+    bodies = read_query(text)
+    if len(bodies) != 1 or len(bodies[0]) != 1:
         raise ReadError("one statement is needed here, not several", Place("<query>", 1, 1), excerpt(text, 1, 1))
-    literal = alternatives[0][0]
+    literal = bodies[0][0]
     if literal.negated or literal.is_comparison:
         raise ReadError("a plain statement is needed here", Place("<query>", 1, 1), excerpt(text, 1, 1))
     return literal.atom
@@ -141,15 +135,15 @@ def read_term(text: str, operators: Operators | None = None) -> Term:
     """
     text = text.removeprefix("\ufeff")
     sentences = sentences_of(text)
-    parser = Parser(text, "<term>", next(sentences, None) or _no_tokens(text), operators or STANDARD)
+    parser = ConditionParser(text, "<term>", next(sentences, None) or _no_tokens(text), operators or STANDARD)
     try:
-        term = parser.term(1200)
+        term = parser.term(HIGHEST)
     except RecursionError:
         raise ReadError("this text is nested too deeply to be read", Place("<term>", 1, 1)) from None
     if parser.kinds[parser.at] != NOTHING:
         parser.stop()
     if (following := next(sentences, None)) is not None:
-        Parser(text, "<term>", following, STANDARD).unexpected("the end of the text")
+        ConditionParser(text, "<term>", following, STANDARD).unexpected("the end of the text")
     return term
 
 
@@ -157,132 +151,3 @@ def _no_tokens(text: str) -> Tokens:
     tokens = Tokens()
     tokens.close(text)
     return tokens
-
-
-class _Places:
-    """Offsets of a text as places, counted on from the last one asked for."""
-
-    def __init__(self, text: str, file: str) -> None:
-        self.text, self.file = text, file
-        self._seen, self._line, self._line_start = 0, 1, 0
-
-    def of(self, at: int) -> Place:
-        """The place of an offset."""
-        if at < self._seen:
-            self._seen, self._line, self._line_start = 0, 1, 0
-        new_lines = self.text.count("\n", self._seen, at)
-        if new_lines:
-            self._line += new_lines
-            self._line_start = self.text.rfind("\n", self._seen, at) + 1
-        self._seen = at
-        return Place(self.file, self._line, at - self._line_start + 1)
-
-
-def _sentences(parser: Parser, places: _Places, told: Told | None) -> list[Sentence]:
-    """The clauses of one sentence: a rule whose body has alternatives is one clause for each."""
-    place = places.of(parser.starts[0])
-    if parser.texts[0] == ":-" and not parser.opens(0):
-        return _directives(parser, place, told)
-    start = parser.start_within_brackets()
-    term = parser.term(_TOP)
-    arrow = parser.texts[parser.at]
-    if arrow not in (":-", "-->"):
-        parser.stop()
-        return [Clause(_statement(term, start, parser), (), place)]
-    head = _statement(term, start, parser)
-    parser.at += 1
-    if arrow == "-->":
-        body = parser.sequence(_TOP)
-        parser.stop("','")
-        return [Production(head, body, place)]
-    condition = parser.body()
-    parser.stop("','")
-    bodies = _alternatives(condition, places, parser)
-    return [Clause(*_renumbered(head, literals), place) for literals in bodies]
-
-
-def _directives(parser: Parser, place: Place, told: Told | None) -> list[Sentence]:
-    """What follows ``:-``: operators are declared at once, and are no sentence."""
-    parser.at = 1
-    start = parser.start_within_brackets()
-    term = parser.term(_TOP)
-    parser.stop()
-    try:
-        statement = predication(term)
-    except TypeError:
-        _cannot_stand(term, start, parser)
-    if statement.indicator == OP:
-        try:
-            declare(statement, parser.operators)
-        except Refused as mistake:
-            parser.refuse(parser.starts[0], str(mistake))
-        return []
-    found = [Directive(each, place) for each in each_of(statement)]
-    if told is not None:
-        for directive in found:
-            told(directive)
-    return list(found)
-
-
-def _renumbered(head: Compound, body: list[Literal]) -> tuple[Compound, tuple[Literal, ...]]:
-    """The clause with its anonymous variables numbered anew: equal clauses are equal however they were written."""
-    anonymous = [v for v in variables_of(head, *(x.atom for x in body)) if v.name.startswith("_#")]
-    if not anonymous:
-        return head, tuple(body)
-    names = {old: Variable(f"_#{number}") for number, old in enumerate(anonymous, 1)}
-    literals = tuple(Literal(_renamed(x.atom, names), x.negated, x.place) for x in body)
-    return _renamed(head, names), literals
-
-
-def _renamed(term: Term, names: dict[Variable, Variable]) -> Term:
-    if isinstance(term, Compound):
-        return Compound([_renamed(part, names) for part in term])
-    return names.get(term, term) if isinstance(term, Variable) else term
-
-
-def _statement(term: Term, start: int, parser: Parser) -> Compound:
-    """The term that was just read as something that can be true.
-
-    Raises:
-        ReadError: it is a number, a variable, a list, or written with an operator of the standard table.
-    """
-    if not parser.is_named or (isinstance(term, Compound) and term.indicator == (":", 2)):
-        _cannot_stand(term, start, parser)
-    return predication(term)
-
-
-def _cannot_stand(term: Term, start: int, parser: Parser) -> NoReturn:
-    parser.refuse(start, f"{term_text(term)} cannot stand here: a name or name(arguments) is needed")
-
-
-def _alternatives(condition: Condition, places: _Places, parser: Parser) -> list[list[Literal]]:
-    """A body in disjunctive normal form: alternatives, each a list of literals in the author's order."""
-    if condition.shape == "or":
-        return [body for part in condition.parts for body in _alternatives(part, places, parser)]
-    if condition.shape == "and":
-        parts = [_alternatives(part, places, parser) for part in condition.parts]
-        return [[literal for part in choice for literal in part] for choice in product(*parts)]
-    return [[_literal(condition, places, parser)]]
-
-
-def _literal(condition: Condition, places: _Places, parser: Parser, negated: bool = False) -> Literal:
-    if condition.shape == "not":
-        return _literal(condition.parts[0], places, parser, not negated)
-    if condition.shape == "then":
-        sentence = "-> cannot stand here: say with \\+ and ; when each of the two is meant"
-        parser.refuse(condition.start, sentence)
-    if condition.shape != "goal":
-        sentence = "only one condition can be negated at a time; give these a rule of their own and negate its head"
-        parser.refuse(condition.start, sentence)
-    return Literal(_goal(condition, parser), negated, places.of(condition.start))
-
-
-def _goal(condition: Condition, parser: Parser) -> Compound:
-    """A condition's atom: a name, ``name(arguments)``, with a prefix or not, or a comparison."""
-    term = qualified(condition.goal)
-    is_pair = isinstance(term, Compound) and term.indicator == (":", 2)
-    is_qualified = term is not condition.goal and not is_pair
-    is_comparison = isinstance(term, Compound) and term.arity == 2 and term.functor in COMPARISONS
-    if is_pair or not (condition.is_named or is_qualified or is_comparison):
-        _cannot_stand(term, condition.start, parser)
-    return predication(term)

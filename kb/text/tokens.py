@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from casper.kb.errors import Place, ReadError
 from casper.kb.terms.atoms import goes_on, is_capital, is_sign, is_start
 
 NAME, QUOTED, CODES, VARIABLE, NUMBER, PUNCTUATION = "name", "quoted", "codes", "variable", "number", "punctuation"
@@ -196,16 +195,3 @@ def _with_radix(radix: str, digits: str) -> int:
         except ValueError:
             pass
     raise Unreadable(f"{digits} is no number of radix {radix}")
-
-
-def excerpt(text: str, line: int, column: int) -> str:
-    """A line of the text with a caret under the column."""
-    lines = text.split("\n")  # no other character ends a line
-    shown = "".join(c if c.isprintable() else " " for c in lines[min(line, len(lines)) - 1])
-    return f"    {shown}\n    {' ' * (column - 1)}^"
-
-
-def mistake_at(text: str, file: str, at: int, sentence: str) -> ReadError:
-    """A mistake at an offset of the text, with its line."""
-    line, column = text.count("\n", 0, at) + 1, at - text.rfind("\n", 0, at)
-    return ReadError(sentence, Place(file, line, column), excerpt(text, line, column))

@@ -6,7 +6,8 @@ from hypothesis import strategies as st
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import ProgramError, ReadError
-from casper.kb.text import bulk_facts, reader
+from casper.kb.text import reader
+from casper.kb.text.bulk import facts as bulk_facts
 from casper.kb.text.reader import read_blocks, read_text
 from casper.kb.text.writer import program_text
 

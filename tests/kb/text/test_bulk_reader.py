@@ -11,7 +11,7 @@ from casper.kb.errors import ReadError
 from casper.kb.terms.clauses import Clause, Production
 from casper.kb.terms.terms import Compound, Variable
 from casper.kb.text import reader
-from casper.kb.text.bulk_reader import read_large
+from casper.kb.text.bulk.reader import read_large
 
 facts = st.sampled_from(["p(a).", "q( b ,12 ).", "r(a,b,c_1).  % done.", "p(1e5).", "p(1.5).", "p(is).", "q(a,\n  b).", "p(007)."])
 

@@ -12,11 +12,12 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from typing import TypeAlias
 
-from casper.kb.errors import Place, ReadError
+from casper.kb.errors import ReadError
 from casper.kb.terms.clauses import Clause, Literal, Production, Sentence
 from casper.kb.terms.terms import Compound, predication
-from casper.kb.text.bulk_facts import BlockReader
-from casper.kb.text.bulk_terms import TERM, TERMS, Terms, first_anonymous, numbered, part_matches, parts
+from casper.kb.text.bulk.facts import BlockReader
+from casper.kb.text.bulk.terms import TERM, TERMS, Terms, first_anonymous, numbered, part_matches, parts
+from casper.kb.text.places import Places
 from casper.kb.text.tokens import COMMENT, OTHERS, STOP, WITHIN
 
 Parse = Callable[[str], list[Sentence]]
@@ -96,8 +97,7 @@ class _PlainReader:
     """Makes sentences of what the expression for plain ones has found, one after the other."""
 
     def __init__(self, text: str, file: str) -> None:
-        self._text, self._file, self._terms = text, file, Terms()
-        self._seen, self._line, self._line_start = 0, 1, 0
+        self._text, self._terms, self._place = text, Terms(), Places(text, file).of
 
     def sentence(self, found: re.Match[str]) -> Sentence:
         place = self._place(found.start(1))
@@ -115,15 +115,6 @@ class _PlainReader:
         places = [self._place(item.start()) for item in part_matches(self._text, *span)]
         atoms = [predication(self._terms[item]) for item in parts(body)]
         return tuple(Literal(atom, False, place) for atom, place in zip(atoms, places))
-
-    def _place(self, at: int) -> Place:
-        """The place of an offset that is not before the last one asked for: nothing is counted twice."""
-        new_lines = self._text.count("\n", self._seen, at)
-        if new_lines:
-            self._line += new_lines
-            self._line_start = self._text.rfind("\n", self._seen, at) + 1
-        self._seen = at
-        return Place(self._file, self._line, at - self._line_start + 1)
 
 
 def _in_parts(text: str, spans: Sequence[_Span]) -> Iterator[str]:

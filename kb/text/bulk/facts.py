@@ -14,7 +14,7 @@ from casper.kb.errors import Place
 from casper.kb.terms.clauses import SYSTEM, Indicator
 from casper.kb.terms.origins import FactBlock
 from casper.kb.terms.terms import Term
-from casper.kb.text.bulk_terms import Terms
+from casper.kb.text.bulk.terms import Terms
 from casper.kb.text.tokens import COMMENT
 
 _NAME = r"[a-z][A-Za-z0-9_]*+"
