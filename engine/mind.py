@@ -14,17 +14,20 @@ from casper.engine.actions.prediction import Prediction
 from casper.engine.collaboration.supervisor import Supervisor
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
+from casper.engine.events.printing import plan_lines, prediction_lines
 from casper.engine.movements.movements import Movement, movement_classifier
 from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, perception_settings
 from casper.engine.perception.tracking import Tracker, tracker_settings
 from casper.engine.perception.world import WorldState
+from casper.engine.reading.printing import rejected_text
 from casper.engine.verification.observation import Observation
 from casper.engine.verification.verification import Statement, Verifier
 from casper.kb.errors import CasperError
 from casper.kb.reasons.validity import Verdict
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
+from casper.kb.text.lines import Line, Span, line, one_line, text_of
 
 
 class Mind:
@@ -97,6 +100,26 @@ class Mind:
         rest = {"robot": nobody, "verification": self.verifier is not None, "seed": seed}
         return {"goal": goal, "correct": correct, **figures, **rest}
 
+    def lines(self) -> Iterator[Line]:
+        """What a person is shown: who watches whom, the reading, the goal believed in, and the robot's part."""
+        yield line(Span(self.domain.name, "strong"), f": {self.domain.robot} watches {self.domain.partner}")
+        yield from self.reading.lines()
+        made = self.supervisor.commitment
+        if made is not None:
+            yield from prediction_lines(made.t, {"goal": made.goal, **self.supervisor.summary()})
+        if made is not None and self.supervisor.robot is not None:
+            waiting, actions = (
+                [term_text(as_term(action)) for action in part]
+                for part in (self.supervisor.waiting, self.supervisor.actions)
+            )
+            yield from plan_lines(self.supervisor.robot, waiting, actions)
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return one_line(f"Mind that watches {self.domain.partner} in {self.domain.name}: {self.reading!r}")
+
     def _consider(self, prediction: Prediction, focus: Focus) -> Iterator[Event]:
         """An action seems to have happened: put it into context, verify it, and pass it on to the reading."""
         action = contextualise(prediction.action, focus.destination, self.contexts)
@@ -128,7 +151,7 @@ class Mind:
         if self.reading.count == 0:
             reasons = self.reading.rejected
             self.reading.undo()
-            told = "; ".join(f"{goal}: {', '.join(why)}" for goal, why in reasons.items())
+            told = rejected_text(reasons)
             if self.stops:
                 raise CasperError(f"{observation} fits no plan any more ({told})")
             yield Event("warning", t, {"message": f"{observation} fits no plan any more and is left out ({told})"})

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Callable, Iterable
+from numbers import Integral
 from typing import Any, TypeVar
 
 from casper.kb.errors import DomainError
@@ -54,6 +55,15 @@ def require(holds: bool, sentence: str) -> None:
     """Raise DomainError with this sentence unless ``holds``."""
     if not holds:
         raise DomainError(sentence)
+
+
+def check_seed(seed: Any) -> None:
+    """Refuse a seed that no generator of random numbers takes.
+
+    Raises:
+        DomainError: it is no whole number from 0.
+    """
+    require(isinstance(seed, Integral) and int(seed) >= 0, f"a seed is a whole number from 0, not {seed}")
 
 
 def _value(default: Any, value: Any, where: str) -> Any:

@@ -34,11 +34,14 @@ class DomainError(CasperError):
 
 
 class ReadError(CasperError):
-    """Text that is not a clause of the language; ``excerpt`` shows the line with a caret under the mistake."""
+    """Text that is not a clause of the language; ``excerpt`` shows the line with a caret under the mistake.
 
-    def __init__(self, sentence: str, place: Place, excerpt: str = "") -> None:
+    ``quoted`` is what the sentence repeats of the text, if anything.
+    """
+
+    def __init__(self, sentence: str, place: Place, excerpt: str = "", quoted: str = "") -> None:
         super().__init__(sentence, place)
-        self.excerpt = excerpt
+        self.excerpt, self.quoted = excerpt, quoted
 
     def __str__(self) -> str:
         return super().__str__() + (f"\n{self.excerpt}" if self.excerpt else "")

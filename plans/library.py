@@ -18,8 +18,9 @@ from casper.kb.terms.clauses import Clause, Production, Sentence
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import substitute, variables_of
+from casper.kb.text.lines import text_of
 from casper.kb.text.reader import read_statement, read_text
-from casper.kb.text.writer import program_text
+from casper.kb.text.writer import program_lines, program_text
 from casper.plans.grammar.expansion import MOST_PLANS, expand
 from casper.plans.grammar.shapes import SHAPES
 from casper.plans.grammar.simple import simple_term
@@ -172,8 +173,14 @@ class PlanLibrary:
     def __len__(self) -> int:
         return len(self.ways)
 
+    def __str__(self) -> str:
+        return text_of(program_lines([*self._goals, *self._productions]))
+
     def __repr__(self) -> str:
-        return f"<PlanLibrary: {len(self.goals)} goals, {len(self.ways)} plans>"
+        try:
+            return f"<PlanLibrary: {len(self.goals)} goals, {len(self.ways)} plans>"
+        except PlanError:  # not yet whole
+            return f"<PlanLibrary: {len(self._productions)} productions>"
 
 
 def goal_of(clause: Clause) -> Compound:

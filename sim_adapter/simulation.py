@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from casper.engine.perception.world import WorldState
+from casper.engine.settings import check_seed
 from casper.kb.errors import DomainError
 from casper.sim_adapter.adapter import truth
 from casper.sim_adapter.eye.sensors import Sensor
@@ -28,14 +29,15 @@ class Simulation:
 
     Args:
         scene: what to build.
-        seed: of the start, the human's pauses and the sensor (three independent streams).
+        seed: a whole number from 0, of the start, the human's pauses and the sensor (three independent streams).
         start: where the human starts, x, y and perhaps heading (radians); random when None.
 
     Raises:
-        DomainError: the start is not on the walkable floor.
+        DomainError: the start is not on the walkable floor, or the seed is none.
     """
 
     def __init__(self, scene: Scene, *, seed: int, start: tuple[float, ...] | None = None) -> None:
+        check_seed(seed)
         self.scene = scene
         self.seed = seed
         self.physics = Physics(scene)

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.mind import Mind
+from casper.engine.settings import check_seed, require
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.sim_adapter.room.scene import scene_from
@@ -41,7 +42,8 @@ class Trial:
     """One run of the experiment; iterate over ``events()`` to carry it out.
 
     Raises:
-        DomainError, PlanError: the domain lacks a scene, the goal is unknown, or it cannot be acted out.
+        DomainError, PlanError: the domain lacks a scene or goals, the goal is unknown or cannot be acted out, or the
+            seed is no whole number from 0.
     """
 
     domain: Domain
@@ -51,6 +53,8 @@ class Trial:
 
     def __post_init__(self) -> None:
         goals = self.domain.library.goals
+        check_seed(self.settings.seed)
+        require(bool(goals), f"the domain {self.domain.name} has no goals, so nobody can pursue one; write a plans.pl")
         self.goal = self.settings.goal or random.Random(self.settings.seed).choice(list(goals))
         self.script = script_for(self.domain, self.goal)
         self.simulation = Simulation(scene_from(self.domain.kb.rows), seed=self.settings.seed)

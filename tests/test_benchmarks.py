@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from casper.engine.recognition.recognisers import PAPER, Options, recogniser
+from casper.engine.recognition.choice import recogniser
+from casper.engine.recognition.options import PAPER, Options
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation
 from casper.kb.terms.terms import Compound, Variable

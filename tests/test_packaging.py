@@ -43,10 +43,10 @@ def test_the_sdist_holds_the_tests_and_the_changelog(built: Path) -> None:
     (sdist,) = built.glob("*.tar.gz")
     with tarfile.open(sdist) as archive:
         names = {n.split("/", 1)[1] for n in archive.getnames() if "/" in n}
-    assert {"tests/test_packaging.py", "CHANGELOG.md", "LICENSE", "kb/text/parser.py"} <= names
+    assert {"tests/test_packaging.py", "CHANGELOG.md", "LICENSE", "kb/text/parsing/parser.py"} <= names
 
 
-@pytest.mark.parametrize("name", ["networkx", "sklearn", "mujoco", "numpy", "matplotlib"])
+@pytest.mark.parametrize("name", ["networkx", "sklearn", "mujoco", "numpy", "matplotlib", "rich"])
 def test_importing_casper_and_loading_a_domain_pulls_in_no_heavy_library(name: str) -> None:
     code = (
         "import sys, casper; from casper import Domain, Mind; Mind(Domain.load('kitchen')); "

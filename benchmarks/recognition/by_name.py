@@ -9,15 +9,16 @@ import tracemalloc
 from math import comb
 
 from comparison import compared, seconds
+from engines import Arrays, Chains, engine, name_of
 from episodes import episode
 from libraries import chains
 from timing import median, significant, told
 
 from casper import Domain
 from casper.engine.recognition import tree_copying
-from casper.engine.recognition.arrays import Arrays
-from casper.engine.recognition.chains import Chains
-from casper.engine.recognition.recognisers import PAPER, recogniser
+from casper.engine.recognition.choice import recogniser
+from casper.engine.recognition.options import PAPER
+from casper.engine.recognition.teller import Teller
 from casper.engine.verification.matching import NameMatcher
 from casper.engine.verification.observation import Observation
 
@@ -30,8 +31,8 @@ def kitchen() -> None:
     rows += [f"{pick} {pick} wash", "sip", "eat", "wash"]
     episodes = [[Observation(name) for name in row.split()] for row in rows * 200]
 
-    def make() -> Chains:
-        return Chains(plans, NameMatcher(plans))
+    def make() -> Teller:
+        return engine(Chains)(plans, NameMatcher(plans))
 
     told("kitchen (3 goals), plain Python", 1e6 * median(make, episodes, "best"), "µs", 4)
     later = median(make, episodes, "best", later=True)
@@ -44,8 +45,8 @@ def large(quick: bool) -> None:
     for goals, symbols, bound in cases[:2] if quick else cases:
         plans, chance = chains(goals, 12, symbols), random.Random(1)
         episodes = [episode(plans, 5, chance) for _ in range(20)]
-        engine = Arrays(plans, NameMatcher(plans))
-        figure = 1e6 * median(engine.fork, episodes, "best")
+        teller = engine(Arrays)(plans, NameMatcher(plans))
+        figure = 1e6 * median(teller.fork, episodes, "best")
         told(f"{goals:,} goals x 12 leaves, {symbols:,} names, numpy", figure, "µs", bound)
 
 
@@ -55,9 +56,9 @@ def memory() -> None:
         plans, chance = chains(goals, 12, 10), random.Random(1)
         _ = [plan.leaves for plan in plans]
         tracemalloc.start()
-        engine = Arrays(plans, NameMatcher(plans))
+        teller = engine(Arrays)(plans, NameMatcher(plans))
         for _ in range(20):
-            fork = engine.fork()
+            fork = teller.fork()
             for observation in episode(plans, 2, chance):
                 fork.observe(observation)
                 fork.best()
@@ -84,12 +85,12 @@ def specification(quick: bool) -> None:
     began = time.perf_counter()
     trees = tree_copying.explanations(plans, seen, matcher)
     theirs = time.perf_counter() - began
-    engine = recogniser(plans, matcher, PAPER)
+    teller = recogniser(plans, matcher, PAPER)
     for observation in seen:
-        engine.observe(observation)
-    assert len(trees) == engine.count
-    assert trees[0].score == next(engine.explanations()).score
-    told("  the first 3 of them", 1e3 * ours, "ms", None, f"{len(trees):,} explanations, {type(engine).__name__}")
+        teller.observe(observation)
+    assert len(trees) == teller.count
+    assert trees[0].score == next(teller.explanations()).score
+    told("  the first 3 of them", 1e3 * ours, "ms", None, f"{len(trees):,} explanations, {name_of(teller)}")
     told("  tree-copying specification, equal answers", 1e3 * theirs, "ms", None, f"x {significant(theirs / ours)}")
 
 

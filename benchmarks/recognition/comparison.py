@@ -10,9 +10,12 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from baseline import Baseline, TooMany
+from engines import name_of
 from timing import significant, told
 
-from casper.engine.recognition.recognisers import Options, Recogniser, recogniser
+from casper.engine.recognition.choice import recogniser
+from casper.engine.recognition.options import Options
+from casper.engine.recognition.teller import Teller
 from casper.engine.verification.matching import Matcher
 from casper.engine.verification.observation import Observation
 from casper.plans.trees.plan import Plan
@@ -61,7 +64,7 @@ def compared(
         The most explanations there were.
     """
 
-    def engine() -> Recogniser:
+    def engine() -> Teller:
         return recogniser(plans, matcher, options)
 
     def baseline() -> Baseline:
@@ -69,7 +72,7 @@ def compared(
 
     race = raced(engine, baseline, episodes)
     many = f"up to {race.explanations:,} explanations" if race.is_exact else f"{race.explanations:,} kept (not exact)"
-    told(what, 1e3 * race.ours, "ms", bound, f"{many}, {type(engine()).__name__}")
+    told(what, 1e3 * race.ours, "ms", bound, f"{many}, {name_of(engine())}")
     ratio = f"x {significant(race.theirs / race.ours)}"
     if race.gave_up is None:
         equal = "equal answers" if race.is_exact else "equal answers while exact"
@@ -79,7 +82,7 @@ def compared(
     return race.explanations
 
 
-def raced(make: Callable[[], Recogniser], baseline: Callable[[], Baseline], episodes: Episodes) -> Race:
+def raced(make: Callable[[], Teller], baseline: Callable[[], Baseline], episodes: Episodes) -> Race:
     """The mean of the episodes, each the median of three runs of an engine that has seen no other.
 
     Answers are compared as far as the baseline goes. Tables of the library are made before the time is taken.
@@ -105,7 +108,7 @@ def raced(make: Callable[[], Recogniser], baseline: Callable[[], Baseline], epis
     return Race(statistics.mean(ours), statistics.mean(theirs), most, is_exact, gave_up)
 
 
-def answers(recogniser: Recogniser | Baseline, seen: Sequence[Observation]) -> Iterator[Answer]:
+def answers(recogniser: Teller | Baseline, seen: Sequence[Observation]) -> Iterator[Answer]:
     """What an engine or the baseline says after each observation."""
     for observation in seen:
         recogniser.observe(observation)
@@ -117,7 +120,7 @@ def answers(recogniser: Recogniser | Baseline, seen: Sequence[Observation]) -> I
             yield Answer(recogniser.count, recogniser.posterior(), score, recogniser.is_exact)
 
 
-def seconds(recogniser: Recogniser | Baseline, seen: Sequence[Observation]) -> float:
+def seconds(recogniser: Teller | Baseline, seen: Sequence[Observation]) -> float:
     """What an episode takes, with posterior and best explanation after each observation."""
     began = time.perf_counter()
     for _ in answers(recogniser, seen):

@@ -18,18 +18,15 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 from baseline import Baseline
+from engines import Arrays, Chains, Interleaving, NoisyArrays, Pairs, engine
 from episodes import episode
 from growth_picture import draw
 from libraries import chains, with_parameters
 from timing import times
 
 from casper.engine.recognition import tree_copying
-from casper.engine.recognition.arrays import Arrays
-from casper.engine.recognition.chains import Chains
-from casper.engine.recognition.interleaving import Interleaving
-from casper.engine.recognition.noisy_arrays import NoisyArrays
-from casper.engine.recognition.pairs import Pairs
-from casper.engine.recognition.recognisers import Options, recogniser
+from casper.engine.recognition.choice import recogniser
+from casper.engine.recognition.options import Options
 from casper.engine.verification.matching import Matcher, NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation
 from casper.plans.trees.plan import Plan
@@ -102,14 +99,14 @@ def listed(goals: int) -> Callable[..., Timed]:
 ONE = {
     "tree copies": Line(copied, 5_000),
     "plain list": Line(listed(1), 100_000),
-    "chains": Line(forked(Chains, "best")),
-    "noisy arrays": Line(forked(lambda plans, matcher: NoisyArrays(plans, matcher, PRICE))),
-    "arrays": Line(forked(Arrays, "best")),
+    "chains": Line(forked(engine(Chains), "best")),
+    "noisy arrays": Line(forked(engine(NoisyArrays, PRICE))),
+    "arrays": Line(forked(engine(Arrays), "best")),
 }
 TWO = {
     "plain list": Line(listed(2), 100_000),
-    "interleaving": Line(forked(lambda plans, matcher: Interleaving(plans, matcher, 2, budget=10**9)), 1_000_000),
-    "pairs": Line(forked(Pairs)),
+    "interleaving": Line(forked(engine(Interleaving, 2, budget=10**9)), 1_000_000),
+    "pairs": Line(forked(engine(Pairs))),
 }
 GOALS = (10, 30, 100, 300, 1_000, 3_000, 10_000, 30_000, 100_000)
 PAIRS = [Case(goals, 24, 10, 5) for goals in (3, 5, 10, 20, 50, 100)]

@@ -6,11 +6,13 @@ import random
 from dataclasses import replace
 
 from comparison import compared
+from engines import name_of
 from episodes import carried_out, episode
 from libraries import chains, with_parameters
 from timing import median, told
 
-from casper.engine.recognition.recognisers import Options, recogniser
+from casper.engine.recognition.choice import recogniser
+from casper.engine.recognition.options import Options
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 
 NOISE = Options(noise=0.1)
@@ -20,10 +22,10 @@ def large(quick: bool) -> None:
     """Ten thousand goals by names, the engine that a reading picks."""
     for goals in (10_000,) if quick else (10_000, 100_000):
         plans, chance = chains(goals, 12, 10), random.Random(1)
-        engine = recogniser(plans, NameMatcher(plans), NOISE)
+        teller = recogniser(plans, NameMatcher(plans), NOISE)
         episodes = [episode(plans, 5, chance) for _ in range(20)]
-        figure = 1e6 * median(engine.fork, episodes)
-        told(f"noise, {goals:,} goals x 12 leaves, 10 names", figure, "µs", None, type(engine).__name__)
+        figure = 1e6 * median(teller.fork, episodes)
+        told(f"noise, {goals:,} goals x 12 leaves, 10 names", figure, "µs", None, name_of(teller))
 
 
 def small() -> None:

@@ -8,12 +8,13 @@ import time
 from collections.abc import Sequence
 
 from comparison import compared
+from engines import Interleaving, engine, name_of
 from episodes import blurred, carried_out, episode, interleaved
 from libraries import AndOr, chains, partly_ordered, strands, with_parameters
 from timing import median, significant, times, told
 
-from casper.engine.recognition.interleaving import Interleaving
-from casper.engine.recognition.recognisers import Options, recogniser
+from casper.engine.recognition.choice import recogniser
+from casper.engine.recognition.options import Options
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation
 from casper.plans.trees.plan import Plan
@@ -27,19 +28,19 @@ def by_name() -> None:
     episodes = [episode(plans, 3, chance, 2)[:5]]
     compared("two of 10 goals x 8 leaves, 2 names, 5 observations", plans, NameMatcher(plans), TWO, episodes)
     plans = chains(100, 24, 10)
-    engine = recogniser(plans, NameMatcher(plans), TWO)
+    teller = recogniser(plans, NameMatcher(plans), TWO)
     episodes = [episode(plans, 5, chance, together=2) for _ in range(4)]
-    figure = 1e3 * median(engine.fork, episodes, rounds=2)
-    told("two of 100 goals x 24 leaves, 10 names", figure, "ms", 20, type(engine).__name__)
+    figure = 1e3 * median(teller.fork, episodes, rounds=2)
+    told("two of 100 goals x 24 leaves, 10 names", figure, "ms", 20, name_of(teller))
 
 
 def with_arguments() -> None:
     """Two of a hundred goals with parameters."""
     for symbols in (10, 20):
         plans, chance = with_parameters(100, 24, symbols), random.Random(5)
-        engine = recogniser(plans, ParameterMatcher(plans), TWO)
-        taken = times(engine.fork, [episode(plans, 5, chance, together=2) for _ in range(6)])
-        note = f"longest {significant(1e3 * max(taken))} ms, {type(engine).__name__}"
+        teller = recogniser(plans, ParameterMatcher(plans), TWO)
+        taken = times(teller.fork, [episode(plans, 5, chance, together=2) for _ in range(6)])
+        note = f"longest {significant(1e3 * max(taken))} ms, {name_of(teller)}"
         what = f"two of 100 goals x 24 leaves with parameters, {symbols} names"
         told(what, 1e3 * statistics.median(taken), "ms", 20, note)
 
@@ -80,12 +81,12 @@ def five() -> None:
             plans, chance = partly_ordered(20, names, seed), random.Random(seed)
             pursued = chance.sample(plans, 5)
             seen = interleaved([carried_out(plan, chance) for plan in pursued], chance)[:50]
-            engine = Interleaving(plans, ParameterMatcher(plans), 5)
+            teller = engine(Interleaving, 5)(plans, ParameterMatcher(plans))
             for observation in seen:
                 began = time.perf_counter()
-                engine.observe(observation)
-                engine.posterior()
-                best = next(engine.explanations(), None)
+                teller.observe(observation)
+                teller.posterior()
+                best = next(teller.explanations(), None)
                 longest = max(longest, time.perf_counter() - began)
             right += best is not None and set(best.goals) == {plan.label for plan in pursued}
         what = f"five of 20 goals, 5-17 partly ordered steps, {names} names: longest"

@@ -9,7 +9,7 @@ from comparison import compared
 from episodes import blurred, carried_out
 from libraries import AndOr, Order, choices, strands
 
-from casper.engine.recognition.recognisers import PAPER
+from casper.engine.recognition.options import PAPER
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.plans.trees.nodes import Action, Node, Shape
 

@@ -11,9 +11,11 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
+from casper.engine.events.printing import plan_lines
 from casper.engine.explanation.situation import Situation
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
+from casper.kb.text.lines import Line, one_line, text_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +49,17 @@ class CollaborativePlan:
             "waiting": [term_text(as_term(action)) for action in self.waiting],
             "actions": [term_text(as_term(action)) for action in self.actions],
         }
+
+    def lines(self) -> Iterator[Line]:
+        """What a person is shown: what the agent waits for, and what it will do."""
+        told = self.to_json()
+        return plan_lines(told["agent"], told["waiting"], told["actions"])
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return one_line(f"CollaborativePlan for {self.goal}: {'; '.join(str(self).splitlines())}")
 
 
 Capability: TypeAlias = Callable[[Situation, int, str], tuple[Compound, bool]]

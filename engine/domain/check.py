@@ -14,7 +14,8 @@ from casper.kb.checks.finding import Finding, Severity, finding_of, sorted_findi
 from casper.kb.errors import CasperError, DomainError, Place
 from casper.kb.terms.clauses import Clause, Indicator, Production, Sentence
 from casper.kb.terms.operators import Operators
-from casper.kb.text.reader import Told
+from casper.kb.text.files import is_there, read_utf8
+from casper.kb.text.reader import Told, read_text
 from casper.kb.text.recovery import read_tolerantly
 from casper.kb.text.sources import Sources
 from casper.plans.checks import telling_apart
@@ -53,9 +54,9 @@ class _Read:
     def __init__(self, folder: Path) -> None:
         self.findings: list[Finding] = []
         self.half_read: set[str] = set()
-        sources = Sources((SHIPPED,), self._file, self._note)
-        present = [file for file in FILES if (folder / file).is_file()]
-        self.sentences = {file: sources.sentences(folder / file) for file in present}
+        self.sources = Sources((SHIPPED,), self._file, self._note)
+        present = [file for file in FILES if is_there(folder / file)]
+        self.sentences = {file: self.sources.sentences(folder / file) for file in present}
         self.verifies = ONTOLOGY in self.sentences
 
     @property
@@ -64,9 +65,11 @@ class _Read:
 
     def _file(self, path: Path, operators: Operators, told: Told) -> list[Sentence]:
         try:
-            text = path.read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError) as mistake:
+            text = read_utf8(path)
+        except OSError as mistake:
             raise DomainError(f"this file cannot be read ({mistake})", Place(str(path))) from None
+        if self.sources.is_foreign(path):  # what can be read of it in spite of a mistake is nobody's business
+            return read_text(text, str(path), operators, told)
         read = read_tolerantly(text, str(path), operators, told)
         self.findings.extend(map(finding_of, read.mistakes))
         self.half_read |= read.half_read

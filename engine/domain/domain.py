@@ -7,18 +7,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import os
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from threading import Lock
 from typing import Any
 
+from casper.engine.domain.printing import domain_lines, domain_name
 from casper.engine.explanation.situation import Situation
 from casper.engine.reading.policy import policy_named
 from casper.engine.reading.priors import priors_of
 from casper.engine.reading.reading import Reading
-from casper.engine.recognition.recognisers import Options
+from casper.engine.recognition.options import Options
 from casper.engine.recognition.scoring import score_named
 from casper.engine.verification.matching import Matcher, Mismatch, NameMatcher, ParameterMatcher, bindings_of
 from casper.engine.verification.verified_matching import VerifyingMatcher, settle
@@ -28,6 +30,8 @@ from casper.kb.program.refusals import undefined_sentence
 from casper.kb.terms.clauses import Clause, Production, Sentence
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import substitute
+from casper.kb.text.files import is_there, real
+from casper.kb.text.lines import Line, text_of
 from casper.kb.text.sources import Sources, fingerprint
 from casper.plans.library import GOAL, PlanLibrary
 from casper.plans.relations import RELATIONS, plan_clauses
@@ -61,14 +65,25 @@ class Domain:
         """Load a shipped domain by its name, or any folder by its path.
 
         Raises:
-            DomainError: no such domain, or a folder with nothing in it; the sentence lists the shipped ones.
+            DomainError: no such domain, or a folder with nothing in it (the sentence lists the shipped ones), or a file
+            that is no regular one or too large.
             ReadError, ProgramError, PlanError: a mistake in its text, with file and line.
         """
         folder = find_domain(name)
         sources, possible = Sources((SHIPPED,)), [folder / file for file in FILES]
-        sentences = {file.name: sources.sentences(file) for file in possible if file.is_file()}
+        sentences = {file.name: sources.sentences(file) for file in possible if is_there(file)}
         files = tuple(dict.fromkeys(sources.files))
         return replace(build(folder.name, folder, sentences), files=files, fingerprint=fingerprint([*possible, *files]))
+
+    def lines(self) -> Iterator[Line]:
+        """What a person is shown."""
+        return domain_lines(self)
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return domain_name(self)
 
     @property
     def partner(self) -> str:
@@ -174,17 +189,17 @@ def find_domain(name: str | Path) -> Path:
     Raises:
         DomainError: there is none, or the folder holds no domain file.
     """
-    shipped = sorted(p.name for p in SHIPPED.iterdir() if p.is_dir() and any((p / f).is_file() for f in FILES))
+    shipped = sorted(p.name for p in SHIPPED.iterdir() if p.is_dir() and any(is_there(p / f) for f in FILES))
     folder = Path(name)
-    if str(name) in shipped and not folder.is_dir():
+    if str(name) in shipped and not os.path.isdir(folder):
         return SHIPPED / str(name)
-    if not folder.is_dir():
+    if not os.path.isdir(folder):
         raise DomainError(f"there is no domain {str(name)!r}: give a folder, or one of {', '.join(shipped)}")
-    if not any((folder / file).is_file() for file in FILES):
+    if not any(is_there(folder / file) for file in FILES):
         if str(name) in shipped:
             return SHIPPED / str(name)
         raise DomainError(f"the folder {name} holds no domain: it needs {ONTOLOGY} or plans.pl")
-    return folder.resolve()
+    return real(folder)
 
 
 def build(name: str, folder: Path, sentences: dict[str, list[Sentence]]) -> Domain:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from casper.engine.explanation.printing import explanation_lines, explanation_name
 from casper.engine.explanation.situation import Situation
 from casper.engine.verification.matching import Binding, bindings_of
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
+from casper.kb.text.lines import Line, text_of
 from casper.plans.trees.plan import Plan
 from casper.plans.trees.tree import Status, plan_tree
 
@@ -110,6 +113,16 @@ class Explanation:
         told = {"goal": self.goal, "share": self.share, "score": self.score, "leaves": leaves}
         return {**told, "needless": [at + 1 for at in self.needless]} if self.needless else told
 
+    def lines(self, observations: Sequence[object] = ()) -> Iterator[Line]:
+        """Score, share and the marked tree; needless observations by their numbers, or as what they were."""
+        return explanation_lines(self, observations)
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return explanation_name(self)
+
 
 @dataclass(frozen=True)
 class Interleaved:
@@ -173,3 +186,13 @@ class Interleaved:
         leaves = [{"action": term_text(as_term(leaf)), "status": status} for leaf, status in pairs]
         told = {"goal": self.goal, "goals": list(self.goals), "share": self.share, "score": self.score}
         return {**told, "leaves": leaves, **({"needless": [at + 1 for at in self.needless]} if self.needless else {})}
+
+    def lines(self, observations: Sequence[object] = ()) -> Iterator[Line]:
+        """As `Explanation.lines`, with a tree for each goal."""
+        return explanation_lines(self, observations)
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return explanation_name(self)

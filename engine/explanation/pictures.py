@@ -8,16 +8,19 @@ drawn.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from casper.engine.explanation.explanation import Explanation
 from casper.kb.errors import CasperError
+from casper.kb.text.files import unwritable
 from casper.plans.trees.tree import MARKS
 
 if TYPE_CHECKING:
     import networkx as nx
 
+_MISSING = "pictures need matplotlib: pip install 'casper-hri[plot]'"
 FORMATS = (".svg", ".png", ".pdf")
 STYLES: dict[str, dict[str, Any]] = {
     "observed": {"facecolor": "#9ecae1", "edgecolor": "#1f4e79"},
@@ -49,15 +52,29 @@ def positions(tree: nx.DiGraph) -> dict[int, tuple[float, float]]:
     return places
 
 
-def save_picture(explanations: Sequence[Explanation], path: str | Path) -> None:
-    """Draw explanations one below the other into a file; its ending says the format (svg, png or pdf).
+def check_picture(path: str | Path) -> None:
+    """Refuse a file that no picture can be written to, before anything is worked out.
 
     Raises:
-        CasperError: nothing to draw, an ending that is none of these, no such folder, or matplotlib is not installed.
+        CasperError: an ending that is no format, no such folder, a place where writing is not allowed, no matplotlib.
     """
     path = Path(path)
     if path.suffix.lower() not in FORMATS:
         raise CasperError(f"a picture is written as {', '.join(FORMATS)}, not as {path.suffix or path.name!r}")
+    reason = unwritable(path)
+    if reason is not None:
+        raise CasperError(f"cannot write {path} ({reason}); choose another place")
+    if find_spec("matplotlib") is None:
+        raise CasperError(_MISSING)
+
+
+def save_picture(explanations: Sequence[Explanation], path: str | Path) -> None:
+    """Draw explanations one below the other into a file; its ending says the format (svg, png or pdf).
+
+    Raises:
+        CasperError: nothing to draw, or as `check_picture`.
+    """
+    check_picture(path)
     if not explanations:
         raise CasperError("there is no explanation to draw: the observations fit no plan")
     figure = _figure(explanations)
@@ -72,7 +89,7 @@ def _figure(explanations: Sequence[Explanation]) -> Any:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
     except ImportError:
-        raise CasperError("pictures need matplotlib: pip install 'casper-hri[plot]'") from None
+        raise CasperError(_MISSING) from None
     trees = [(explanation, explanation.tree()) for explanation in explanations]
     places = [positions(tree) for _, tree in trees]
     rows = [1 - min(y for _, y in found.values()) for found in places]
@@ -106,7 +123,8 @@ def _draw(axis: Any, tree: nx.DiGraph, places: dict[int, tuple[float, float]]) -
         text = _wrapped(f"{mark}{'or ' if data['rival'] else ''}{data['term']}")
         plain = {"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.85}
         shown = plain if data["status"] == "missed" else None  # letters on a texture are hard to read
-        axis.text(x, y, text, ha="center", va="center", fontsize=6.5, zorder=3, bbox=shown)
+        options = {"ha": "center", "va": "center", "fontsize": 6.5, "zorder": 3, "bbox": shown}
+        axis.text(x, y, text, parse_math=False, **options)  # two dollar signs in a name are no formula
 
 
 def _wrapped(text: str, width: int = 22) -> str:

@@ -7,17 +7,23 @@ this module needs scikit-learn.
 
 from __future__ import annotations
 
+import math
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from casper.engine.movements.movements import HOLD, MOS, QTC, Features
-from casper.engine.settings import require
+from casper.engine.movements.printing import evaluation_lines
+from casper.engine.settings import check_seed, require
+from casper.kb.text.lines import Line, one_line, text_of
 
 QDC = ("touch", "near", "medium", "far", "ignore")
 ORDERS: tuple[tuple[str, ...], ...] = (MOS, HOLD, QDC, QTC)
 """The values of each feature in the order they count in: still 0, moving 1; free 0, holding 1; touch 0 …"""
+
+MOST_LEAVES = math.prod(map(len, ORDERS))
+LARGEST_SEED = 2**32 - 1  # that the library behind `fit` takes
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,17 +76,39 @@ class Evaluation:
     confusion: Mapping[str, Mapping[str, int]]
     labels: tuple[str, ...]
 
+    def lines(self) -> Iterator[Line]:
+        """What a person is shown."""
+        return evaluation_lines(self.accuracy, self.labels, self.confusion)
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return one_line(f"Evaluation: accuracy {self.accuracy:.3f} in {len(self.per_trial)} trials")
+
+
+def check_learning(max_leaf_nodes: int, seed: int) -> None:
+    """Refuse what no tree can be learned with, before anything is worked out.
+
+    Raises:
+        DomainError: fewer than two leaves or more than there are combinations of features, or a seed out of range.
+    """
+    sentence = f"a movement tree has from 2 to {MOST_LEAVES} leaves, one for each combination of features at most"
+    require(2 <= max_leaf_nodes <= MOST_LEAVES, f"{sentence}, not {max_leaf_nodes}")
+    check_seed(seed)
+    require(seed <= LARGEST_SEED, f"a seed to learn with is a whole number from 0 to {LARGEST_SEED}, not {seed}")
+
 
 def fit(samples: Sequence[Sample], max_leaf_nodes: int = 5, seed: int = 0) -> MovementTree:
     """Learn a tree; the same samples in any order give the same tree.
 
     Raises:
-        DomainError: no samples, fewer than two leaves, or a feature value that is in no order.
+        DomainError: no samples, a feature value that is in no order, or as `check_learning`.
     """
     from sklearn.tree import DecisionTreeClassifier
 
     require(bool(samples), "a movement tree cannot be learned from no samples")
-    require(max_leaf_nodes >= 2, "a movement tree has at least two leaves")
+    check_learning(max_leaf_nodes, seed)
     ordered = sorted(samples, key=lambda s: (s.trial, s.features, s.label))
     model = DecisionTreeClassifier(max_leaf_nodes=max_leaf_nodes, random_state=seed)
     model.fit([encode(s.features) for s in ordered], [s.label for s in ordered])

@@ -61,12 +61,12 @@ def qtc(approach: float, threshold: float, before: str | None = None, margin: fl
     With a ``margin`` the symbol ``before`` is harder to leave than to keep (hysteresis).
     """
     symbol = "-" if approach > 0.0 else "+"
-    limit = threshold if margin == 0.0 else threshold + (-margin if symbol == before else margin)
+    limit = threshold + (-margin if symbol == before else margin)
     return symbol if abs(approach) > limit else "0"
 
 
 def moving(displacement: float, threshold: float, before: bool | None = None, margin: float = 0.0) -> bool:
     """MOS: strictly more displacement than the threshold (both metres), with optional hysteresis."""
-    if margin != 0.0 and before is not None:
+    if before is not None:
         threshold += -margin if before else margin
     return displacement > threshold

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from casper.engine.perception.printing import world_lines
 from casper.kb.errors import WorldStateError
+from casper.kb.text.lines import Line, one_line, text_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +42,16 @@ class WorldState:
     t: float
     agents: Mapping[str, AgentState]
     objects: Mapping[str, ObjectState]
+
+    def lines(self) -> Iterator[Line]:
+        """What a person is shown."""
+        return world_lines(self.t, self.agents, self.objects)
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return one_line(f"WorldState at {self.t:g} s: {', '.join((*self.agents, *self.objects))}")
 
 
 def world_state_from_json(data: str | bytes | Mapping[str, Any]) -> WorldState:

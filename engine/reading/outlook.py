@@ -1,6 +1,6 @@
 """What is likely to come: the next action, the frontier, collaborative plans (`questions` asks about it).
 
-All of it is read off where explanations end (`Recogniser.ends`), so nothing is enumerated.
+All of it is read off where explanations end (`Teller.ends`), so nothing is enumerated.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Any
 
 from casper.engine.collaboration.collaboration import Capability, CollaborativePlan, collaborative_plan
 from casper.engine.explanation.situation import Situation
-from casper.engine.recognition.recognisers import Recogniser
+from casper.engine.recognition.teller import Teller
 from casper.engine.verification.matching import Binding
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
@@ -27,7 +27,7 @@ class Outlook:
         engine: the engine, as it stands.
     """
 
-    def __init__(self, plans: Sequence[Plan], engine: Recogniser) -> None:
+    def __init__(self, plans: Sequence[Plan], engine: Teller) -> None:
         self.plans, self.engine = plans, engine
         self._known: dict[tuple[int, Binding], tuple[Compound, ...]] = {}
 

@@ -8,6 +8,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any
@@ -16,16 +17,16 @@ from casper.engine.collaboration.collaboration import Capability, CollaborativeP
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.reading.outlook import Outlook
 from casper.engine.reading.policy import Policy, strict
+from casper.engine.reading.printing import reading_lines, reading_name
 from casper.engine.reading.questions import Question, questions
-from casper.engine.recognition.noisy_pairs import NoisyPairs
-from casper.engine.recognition.pairs import Pairs
-from casper.engine.recognition.recognisers import PAPER, Options, Recogniser, recogniser
-from casper.engine.recognition.replay import Replay
+from casper.engine.recognition.choice import recogniser
+from casper.engine.recognition.options import PAPER, Options
 from casper.engine.verification.matching import Matcher
-from casper.engine.verification.observation import Observed, Seen, Uncertain, options_of, seen_of
+from casper.engine.verification.observation import Observed, Seen, options_of, seen_of
 from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
+from casper.kb.text.lines import Line, text_of
 from casper.plans.library import PlanLibrary
 
 WEIGHABLE = 300  # observations up to which there are not too many explanations to be weighed
@@ -57,7 +58,7 @@ class Reading:
         self.library, self.policy, self.options = library, policy, options
         self._actions = list(library.actions)
         self._capability = capability
-        self._engine: Recogniser = recogniser(library.ways, matcher, options)
+        self._engine = recogniser(library.ways, matcher, options)
         self._read: dict[str, Seen] = {}  # texts that were observed before
         self._numbers: dict[str, list[int]] = {}  # each goal's plans
         for number, plan in enumerate(library.ways):
@@ -77,10 +78,6 @@ class Reading:
             CasperError: likelihoods that are none, or more explanations than can be weighed.
         """
         seen = self._seen(observed)
-        if isinstance(seen, Uncertain) and isinstance(self._engine, Replay):
-            self._engine = self._engine.counting()
-        elif isinstance(seen, Uncertain) and isinstance(self._engine, (Pairs, NoisyPairs)):
-            self._engine = self._engine.interleaving()
         self._engine.observe(seen)
         if len(self._engine.observations) > WEIGHABLE and self._engine.count.bit_length() > MOST_BITS:
             self._engine.undo()
@@ -170,7 +167,7 @@ class Reading:
         if count == 1:
             best = self.first
             return [] if best is None else [best]
-        return list(islice(self.explanations(), max(count, 0)))
+        return list(islice(self.explanations(), min(max(count, 0), sys.maxsize)))
 
     @property
     def frontier(self) -> tuple[Compound, ...]:
@@ -238,6 +235,16 @@ class Reading:
             "rejected": [{"goal": goal, "reasons": list(reasons)} for goal, reasons in self.rejected.items()],
             **bound,
         }
+
+    def lines(self, top: int = 3, asked: int = 0) -> Iterator[Line]:
+        """What a person is shown, with the best ``top`` explanations and as many questions as are ``asked`` for."""
+        return reading_lines(self, top, asked)
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return reading_name(self)
 
     # --- why not ---------------------------------------------------------------------------------------------------
 

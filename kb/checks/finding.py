@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
+from casper.kb.checks.printing import finding_line
 from casper.kb.errors import CasperError, Place
 from casper.kb.terms.clauses import NOWHERE
+from casper.kb.text.lines import text_of
 
 
 class Severity(StrEnum):
@@ -43,8 +45,7 @@ class Finding:
         }
 
     def __str__(self) -> str:
-        where = f"{self.place.file}:{self.place.line}" if self.place.line else self.place.file
-        return f"{where}: {self.severity}: {self.message}"
+        return text_of([finding_line(self.place, self.severity, self.message)])
 
 
 def error(place: Place, message: str) -> Finding:

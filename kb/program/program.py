@@ -49,14 +49,14 @@ class Program:
 
 
 def analyse(
-    clauses: Iterable[Clause], dynamic: Iterable[Indicator] = (), bulk: Mapping[Indicator, Given] | None = None
+    clauses: Iterable[Clause], dynamic: Iterable[Indicator] = (), bulk: Mapping[Indicator, Iterable[Row]] | None = None
 ) -> Program:
     """Sort and check the clauses.
 
     Args:
         clauses: facts, rules and constraints.
         dynamic: predicates that are defined even without a clause.
-        bulk: rows of ground facts that no clause stands for, with the block each is from.
+        bulk: rows of ground facts that no clause stands for; of a mapping the values are what is behind each.
 
     Raises:
         ProgramError: an undefined predicate, a redefined system predicate, a constraint without a sentence,
@@ -73,7 +73,7 @@ def analyse(
             continue
         check_own(clause.head.indicator, clause.place)
         predicates.setdefault(clause.head.indicator, []).append(clause)
-    given: dict[Indicator, Given] = {i: dict(rows) for i, rows in (bulk or {}).items()}
+    given: dict[Indicator, Given] = {i: _with_origins(rows) for i, rows in (bulk or {}).items()}
     for indicator in given:
         check_own(indicator, NOWHERE)
         predicates.setdefault(indicator, [])
@@ -95,6 +95,10 @@ def analyse(
         loaded = (Compound((indicator[0], *row)) for row, behind in rows.items() if not isinstance(behind, Clause))
         resolved[indicator] = (*table[indicator], *(clause_behind(head, rows[head.args]) for head in loaded))
     return Program(resolved, rules, given, tuple(constraints), strata, situational, top_down)
+
+
+def _with_origins(rows: Iterable[Row]) -> Given:
+    return dict(rows) if isinstance(rows, Mapping) else dict.fromkeys(rows)
 
 
 def is_given(clause: Clause) -> bool:

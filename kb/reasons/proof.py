@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
+from casper.kb.text.lines import one_line
 from casper.kb.text.writer import literal_text
 
 if TYPE_CHECKING:
@@ -58,6 +59,9 @@ class Proof:
 
     def __str__(self) -> str:
         return "\n".join(_lines(self))
+
+    def __repr__(self) -> str:
+        return one_line(f"Proof of {_line(self)}")
 
     def to_networkx(self) -> nx.DiGraph:
         """The proof as a graph: a node a condition (attributes ``text``, ``by``, ``place``), edges to its premises.

@@ -20,6 +20,7 @@ from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import is_ground
+from casper.kb.text.lines import one_line
 from casper.kb.top_down.solve import Solver
 
 MOST_TRIED = 150  # sets of changes tried out before the search gives up
@@ -53,6 +54,9 @@ class Repair:
     def __str__(self) -> str:
         parts = [f"{verb} {text}" for verb, texts in self.to_json().items() for text in texts]
         return " and ".join(parts)
+
+    def __repr__(self) -> str:
+        return one_line(f"Repair: {str(self) or 'nothing to change'}")
 
 
 class Mendable(Protocol):

@@ -14,11 +14,14 @@ from casper.kb.bottom_up.join import Join
 from casper.kb.errors import BudgetExceeded
 from casper.kb.program.listing import is_range_restricted
 from casper.kb.program.program import Program
+from casper.kb.reasons.printing import verdict_lines
 from casper.kb.reasons.why_not import Refusal, Violation
 from casper.kb.relations.relation import Relation
 from casper.kb.terms.clauses import SITUATION, SYSTEM, Clause, Indicator, Literal
+from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import Bindings, substitute, variables_of
+from casper.kb.text.lines import Line, one_line, text_of
 from casper.kb.top_down.solve import Solver
 
 History: TypeAlias = Sequence[tuple[Term, float]]  # what happened earlier: (statement, seconds)
@@ -45,6 +48,17 @@ class Verdict:
         if self.refusal is not None:
             return self.refusal.reasons
         return (self.remark,) if self.remark else ()
+
+    def lines(self) -> Iterator[Line]:
+        """What a person is shown."""
+        return verdict_lines(self.statement, self.valid, self.completed, self.reasons)
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        word = "unknown" if self.valid is None else "valid" if self.valid else "not valid"
+        return one_line(f"Verdict: {term_text(as_term(self.statement))} is {word}")
 
 
 @dataclass(frozen=True, slots=True)

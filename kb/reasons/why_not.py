@@ -16,6 +16,7 @@ from casper.kb.terms.comparison import compare
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
+from casper.kb.text.lines import one_line
 from casper.kb.top_down.solve import Solver, next_ready
 
 
@@ -66,6 +67,9 @@ class Refusal:
 
     def __str__(self) -> str:
         return "\n".join(self.reasons)
+
+    def __repr__(self) -> str:
+        return one_line(f"Refusal of {term_text(as_term(self.statement))}: {'; '.join(self.reasons)}")
 
 
 def attempts(statement: Compound, clauses: Sequence[Clause], solver: Solver) -> Iterator[Attempt]:

@@ -17,8 +17,9 @@ from casper.kb.terms.origins import Origin, clause_behind
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import is_ground, unify
+from casper.kb.text.lines import text_of
 from casper.kb.text.reader import read_blocks, read_statement, read_text
-from casper.kb.text.writer import program_text
+from casper.kb.text.writer import MOST_SHOWN, indicators_text, program_lines, program_text
 from casper.kb.top_down.solve import DEFAULT_BUDGET, Computed, Solver
 
 Statement: TypeAlias = str | tuple[Term, ...]  # text, or a Compound / a tuple that starts with the name
@@ -267,6 +268,13 @@ class ClauseStore:
 
     def __len__(self) -> int:
         return len(self._clauses) + sum(map(len, self._bulk.values()))
+
+    def __str__(self) -> str:
+        """The clauses; of many, what predicates there are."""
+        if len(self) <= MOST_SHOWN:
+            return text_of(program_lines(self.clauses))
+        indicators = dict.fromkeys([*(clause.head.indicator for clause in self._clauses), *self._bulk])
+        return f"{len(self)} clauses of {len(indicators)} predicates: {indicators_text(indicators)}"
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {len(self)} clauses>"

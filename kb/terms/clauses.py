@@ -1,4 +1,7 @@
-"""Clauses: what a text says, as frozen data. A place never takes part in equality: two texts can say the same thing."""
+"""Clauses: what a text says, as frozen data; ``str()`` of one reads in again as the same.
+
+A place never takes part in equality: two texts can say the same thing.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +10,8 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from casper.kb.errors import Place
-from casper.kb.terms.syntax import COMPARISONS
-from casper.kb.terms.terms import Compound, Term, Variable
+from casper.kb.terms.syntax import COMPARISONS, statement_text, term_text
+from casper.kb.terms.terms import Compound, Term, Variable, as_term
 from casper.kb.terms.unification import variables_of
 
 NOWHERE = Place()
@@ -37,6 +40,10 @@ class Literal:
         """The variables of the condition, in order."""
         return list(variables_of(self.atom))
 
+    def __str__(self) -> str:
+        text = term_text(self.atom, 700) if self.is_comparison else statement_text(self.atom)
+        return f"\\+ {text}" if self.negated else text
+
 
 @dataclass(frozen=True, slots=True)
 class Clause:
@@ -55,6 +62,10 @@ class Clause:
         """Every variable of the clause."""
         return variables_of(self.head, *(literal.atom for literal in self.body))
 
+    def __str__(self) -> str:
+        head = statement_text(self.head)
+        return f"{head} :- {', '.join(map(str, self.body))}." if self.body else f"{head}."
+
 
 @dataclass(frozen=True, slots=True)
 class Production:
@@ -67,6 +78,9 @@ class Production:
     body: Term
     place: Place = field(default=NOWHERE, compare=False)
 
+    def __str__(self) -> str:
+        return f"{statement_text(self.head)} --> {term_text(self.body, 1199, sequences=True)}."
+
 
 @dataclass(frozen=True, slots=True)
 class Directive:
@@ -74,6 +88,9 @@ class Directive:
 
     term: Compound
     place: Place = field(default=NOWHERE, compare=False)
+
+    def __str__(self) -> str:
+        return f":- {term_text(as_term(self.term), 1199)}."
 
 
 Sentence: TypeAlias = Clause | Production | Directive

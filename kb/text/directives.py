@@ -14,7 +14,11 @@ _SEVERAL = frozenset({"dynamic", "table", "discontiguous"})  # may name several 
 
 
 class Refused(ValueError):
-    """A directive that makes no sense; the message says why, for the reader to add the place."""
+    """A directive that makes no sense; the reader adds the place. ``quoted`` is what the sentence repeats of it."""
+
+    def __init__(self, sentence: str, quoted: str) -> None:
+        super().__init__(sentence)
+        self.sentence, self.quoted = sentence, quoted
 
 
 def declare(directive: Compound, operators: Operators) -> None:
@@ -25,9 +29,11 @@ def declare(directive: Compound, operators: Operators) -> None:
     """
     _, priority, type_, names = directive
     if isinstance(priority, bool) or not isinstance(priority, int) or not 0 <= priority <= HIGHEST:
-        raise Refused(f"an operator's priority is a whole number from 0 to {HIGHEST}, not {term_text(priority)}")
+        shown = term_text(priority)
+        raise Refused(f"an operator's priority is a whole number from 0 to {HIGHEST}, not {shown}", f"not {shown}")
     if type_ not in TYPES:
-        raise Refused(f"an operator's type is one of {', '.join(TYPES)}, not {term_text(type_)}")
+        shown = term_text(type_)
+        raise Refused(f"an operator's type is one of {', '.join(TYPES)}, not {shown}", f"not {shown}")
     for name in _names(names):
         _check(name, type_, operators)
         operators.add(priority, type_, name)
@@ -40,16 +46,16 @@ def _names(term: Term) -> list[str]:
     names = items if items and tail == NIL else [term]
     for name in names:
         if not isinstance(name, str):
-            raise Refused(f"{term_text(name)} is no name, so it cannot be an operator")
+            raise Refused(f"{term_text(name)} is no name, so it cannot be an operator", term_text(name))
     return names
 
 
 def _check(name: str, type_: str, operators: Operators) -> None:
     if name in _FIXED:
-        raise Refused(f"{name} is part of the language and stays what it is; choose another operator")
+        raise Refused(f"{name} is part of the language and stays what it is; choose another operator", name)
     other = operators.postfix if len(type_) == 3 else operators.infix if type_[0] != "f" else {}
     if name in other:
-        raise Refused(f"{name} clashes with itself: it cannot stand between two terms and behind one")
+        raise Refused(f"{name} clashes with itself: it cannot stand between two terms and behind one", name)
 
 
 def each_of(directive: Compound) -> Iterator[Compound]:

@@ -11,11 +11,12 @@ from casper.kb.terms.origins import FactBlock
 from casper.kb.terms.terms import Compound, Term
 from casper.kb.text.bulk.facts import BlockReader
 from casper.kb.text.bulk.reader import read_large
-from casper.kb.text.conditions import ConditionParser
-from casper.kb.text.places import Places, excerpt
+from casper.kb.text.files import read_utf8
+from casper.kb.text.parsing.conditions import ConditionParser
+from casper.kb.text.parsing.places import Places, excerpt
+from casper.kb.text.parsing.tokens import NOTHING, Tokens, sentences_of
 from casper.kb.text.sentences import Told as Told
 from casper.kb.text.sentences import alternatives, sentences_read
-from casper.kb.text.tokens import NOTHING, Tokens, sentences_of
 
 LARGE = 20_000  # characters from which plain sentences are read by an expression of their own
 
@@ -76,22 +77,14 @@ def read_file(path: Path, operators: Operators | None = None, told: Told | None 
     """Every sentence of a file.
 
     Raises:
-        DomainError: the file cannot be read.
+        DomainError: the file cannot be read, is no regular one, or is too large (`kb.text.files`).
         ReadError: as `read_text`.
     """
-    return read_text(text_of(path), str(path), operators, told)
-
-
-def text_of(path: Path) -> str:
-    """What a file holds, in UTF-8.
-
-    Raises:
-        DomainError: the file cannot be read.
-    """
     try:
-        return path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as mistake:
+        text = read_utf8(path)
+    except OSError as mistake:
         raise DomainError(f"cannot read {path} ({mistake})") from None
+    return read_text(text, str(path), operators, told)
 
 
 def read_query(text: str) -> tuple[tuple[Literal, ...], ...]:

@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 from casper.kb.errors import Place, ReadError
 from casper.kb.terms.clauses import Sentence
 from casper.kb.terms.operators import STANDARD, Operators
-from casper.kb.text.places import excerpt
+from casper.kb.text.parsing.places import excerpt
+from casper.kb.text.parsing.tokens import OTHERS, STOP, WITHIN
 from casper.kb.text.reader import Told, read_text
-from casper.kb.text.tokens import OTHERS, STOP, WITHIN
 
 _PIECE = re.compile(rf"{WITHIN}|/\*[\s\S]*|{OTHERS}|({STOP})|[\s\S]")
 _BLOCK = 200  # clauses read at once, as long as all of them can be read

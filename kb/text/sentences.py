@@ -11,10 +11,10 @@ from casper.kb.terms.clauses import Clause, Directive, Literal, Production, Sent
 from casper.kb.terms.syntax import COMPARISONS, term_text
 from casper.kb.terms.terms import Compound, Term, Variable, predication
 from casper.kb.terms.unification import variables_of
-from casper.kb.text.conditions import Condition, ConditionParser
 from casper.kb.text.directives import OP, Refused, declare, each_of
 from casper.kb.text.namespace import qualified
-from casper.kb.text.places import Places
+from casper.kb.text.parsing.conditions import Condition, ConditionParser
+from casper.kb.text.parsing.places import Places
 
 _TOP = 1199  # the highest priority of a head, or of what follows an arrow
 Told: TypeAlias = Callable[[Directive], None]  # who is told of each directive as soon as it is read
@@ -57,7 +57,7 @@ def _directives(parser: ConditionParser, place: Place, told: Told | None) -> lis
         try:
             declare(statement, parser.operators)
         except Refused as mistake:
-            parser.refuse(parser.starts[0], str(mistake))
+            parser.refuse(parser.starts[0], mistake.sentence, mistake.quoted)
         return []
     found = [Directive(each, place) for each in each_of(statement)]
     if told is not None:
@@ -94,7 +94,8 @@ def _statement(term: Term, start: int, parser: ConditionParser) -> Compound:
 
 
 def _cannot_stand(term: Term, start: int, parser: ConditionParser) -> NoReturn:
-    parser.refuse(start, f"{term_text(term)} cannot stand here: a name or name(arguments) is needed")
+    quoted = term_text(term)
+    parser.refuse(start, f"{quoted} cannot stand here: a name or name(arguments) is needed", quoted)
 
 
 def alternatives(condition: Condition, places: Places, parser: ConditionParser) -> list[list[Literal]]:

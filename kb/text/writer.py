@@ -2,31 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from casper.kb.terms.clauses import Clause, Directive, Literal, Production, Sentence
-from casper.kb.terms.syntax import statement_text, term_text
-from casper.kb.terms.terms import as_term
+from casper.kb.terms.clauses import Clause, Directive, Indicator, Literal, Production, Sentence
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Term
+from casper.kb.text.lines import Line, Span, line
+
+MOST_SHOWN = 40  # sentences of a printed text
 
 
 def literal_text(literal: Literal) -> str:
     """One condition as it stands in a body."""
-    text = term_text(literal.atom, 700) if literal.is_comparison else statement_text(literal.atom)
-    return f"\\+ {text}" if literal.negated else text
+    return str(literal)
 
 
 def sentence_text(sentence: Sentence) -> str:
     """One clause, production or directive, with its full stop."""
-    match sentence:
-        case Clause(head, ()):
-            return f"{statement_text(head)}."
-        case Clause(head, body):
-            return f"{statement_text(head)} :- {', '.join(map(literal_text, body))}."
-        case Production(head, body):
-            return f"{statement_text(head)} --> {term_text(body, 1199, sequences=True)}."
-        case Directive(term):
-            return f":- {term_text(as_term(term), 1199)}."
-    raise TypeError(f"{sentence!r} is no sentence of the language")
+    if not isinstance(sentence, (Clause, Production, Directive)):
+        raise TypeError(f"{sentence!r} is no sentence of the language")
+    return str(sentence)
+
+
+def answer_text(answer: Mapping[str, Term]) -> str:
+    """An answer to a query: ``T = meal, D = plate``; ``yes`` where nothing was asked for."""
+    return ", ".join(f"{name} = {term_text(value)}" for name, value in answer.items()) or "yes"
+
+
+def indicators_text(indicators: Iterable[Indicator]) -> str:
+    """Predicates by name and arity, in order: ``agent/1, eat/3``."""
+    return ", ".join(f"{name}/{arity}" for name, arity in sorted(indicators))
+
+
+def program_lines(sentences: Sequence[Sentence], most: int = MOST_SHOWN) -> Iterator[Line]:
+    """The sentences, one a line; of many the first, and a comment that says how many more there are."""
+    if not sentences:
+        yield line(Span("% nothing is stated", "faint"))
+    yield from (line(sentence_text(sentence)) for sentence in sentences[:most])
+    if len(sentences) > most:
+        yield line(Span(f"% … and {len(sentences) - most} more", "faint"))
 
 
 def program_text(sentences: Iterable[Sentence]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -9,8 +10,10 @@ from casper.kb.errors import Place
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Variable, as_term
 from casper.kb.terms.unification import variables_of
+from casper.kb.text.lines import Line, lines_of, one_line, text_of
 from casper.plans.trees.chart import Chart, draw_chart
 from casper.plans.trees.nodes import Action, Task, actions_below, is_plain
+from casper.plans.trees.tree import plan_tree, tree_text
 
 
 @dataclass(frozen=True)
@@ -58,6 +61,13 @@ class Plan:
         """Whether the plan's actions simply follow one another."""
         return is_plain(self.root)
 
+    def lines(self) -> Iterator[Line]:
+        """The plan as a tree of which nothing was observed."""
+        return lines_of(tree_text(plan_tree(self)))
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
     def __repr__(self) -> str:
         leaves = ", ".join(term_text(as_term(leaf)) for leaf in self.leaves)
-        return f"<Plan {term_text(as_term(self.goal))}: {leaves}>"
+        return one_line(f"Plan {term_text(as_term(self.goal))}: {leaves}")

@@ -21,19 +21,30 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import count
-from typing import TYPE_CHECKING, Literal, TypeAlias
+from typing import TYPE_CHECKING, Literal, Protocol, TypeAlias
 
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import as_term
+from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import Bindings, substitute
-from casper.plans.trees.nodes import Action, Node, Shape
-from casper.plans.trees.plan import Plan
+from casper.plans.trees.nodes import Action, Node, Shape, Task
 
 if TYPE_CHECKING:
     import networkx as nx
 
 Status: TypeAlias = Literal["observed", "missed", "unobserved", "skipped", "alternative"]
 MARKS: dict[str, str] = {"observed": "●", "missed": "✗", "unobserved": "○", "skipped": "–", "alternative": "◌"}
+
+
+class Rooted(Protocol):
+    """What a tree is made of: a plan (`casper.plans.trees.plan`)."""
+
+    @property
+    def root(self) -> Task:
+        """The goal with what it is done by."""
+
+    @property
+    def leaves(self) -> Sequence[Compound]:
+        """The actions in order."""
 
 
 def statuses(leaves: int, marks: Iterable[int]) -> tuple[Status, ...]:
@@ -45,7 +56,7 @@ def statuses(leaves: int, marks: Iterable[int]) -> tuple[Status, ...]:
     )
 
 
-def plan_tree(plan: Plan, status: Sequence[Status] | None = None, bindings: Bindings | None = None) -> nx.DiGraph:
+def plan_tree(plan: Rooted, status: Sequence[Status] | None = None, bindings: Bindings | None = None) -> nx.DiGraph:
     """The plan as a networkx tree, marked, with parameters replaced by their values where known."""
     import networkx as nx
 

@@ -16,6 +16,7 @@ from casper.engine.movements.tree import Sample
 from casper.engine.perception.focus import FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, perception_settings
 from casper.engine.perception.tracking import Tracker, tracker_settings
+from casper.engine.settings import check_seed
 from casper.sim_adapter.room.scene import Scene, scene_from
 from casper.sim_adapter.simulation import Simulation
 from casper.sim_adapter.training.training import training_script
@@ -25,7 +26,12 @@ LONGEST = 180.0  # simulated seconds after which a trial is cut off
 
 
 def training_samples(domain: Domain, trials: int, seed: int, *, step_back: bool = True) -> Iterator[Sample]:
-    """The samples of ``trials`` random trials, one per world state; the same seed gives the same samples."""
+    """The samples of ``trials`` random trials, one per world state; the same seed gives the same samples.
+
+    Raises:
+        DomainError: the domain lacks a scene, or a seed that is no whole number from 0.
+    """
+    check_seed(seed)
     scene = scene_from(domain.kb.rows)
     for trial in range(trials):
         yield from _trial(domain, scene, trial, seed * 1000 + trial, step_back)

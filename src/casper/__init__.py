@@ -10,6 +10,7 @@ by what needs them.
     reading = kitchen.reading()
     reading.observe("pick_and_place(meal, hobs)")
     reading.posterior, reading.best(3), reading.frontier, reading.plan_for("tiago")
+    print(reading)                                        # what casper explain shows
 """
 
 from __future__ import annotations

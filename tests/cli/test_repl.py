@@ -2,7 +2,7 @@
 
 import pytest
 
-from casper.cli.session import Session
+from casper.cli.asking.session import Session
 from casper.engine.domain.domain import Domain
 
 ONTOLOGY = "human(ann).\ncup(mug). cup(glass).\nfill(A, T) :- human(A), cup(T).\ndrink(A, T) :- human(A), cup(T).\n"

@@ -5,7 +5,7 @@ import shutil
 
 import pytest
 
-from casper.cli.watch import watched
+from casper.cli.watching.watch import watched
 from casper.engine.domain.domain import SHIPPED, Domain
 from casper.engine.mind import Mind
 

@@ -92,7 +92,7 @@ def test_a_refused_action_is_told_once_with_its_reason_and_explains_nothing():
 def test_a_bad_world_state_is_refused_and_the_mind_goes_on_as_if_it_had_not_been():
     states = breakfast_states()
     undisturbed, disturbed = Mind(KITCHEN), Mind(KITCHEN)
-    expected = [str(e) for e in told(undisturbed, states)]
+    expected = [e.to_json() for e in told(undisturbed, states)]
     found = []
     for at, state in enumerate(states):
         if at % 7 == 3:
@@ -100,7 +100,7 @@ def test_a_bad_world_state_is_refused_and_the_mind_goes_on_as_if_it_had_not_been
                 disturbed.update(WorldState(state.t, {"human": AgentState(math.nan, 0.0, 0.0)}, state.objects))
             with pytest.raises(WorldStateError):
                 disturbed.update(states[at - 1])
-        found += [str(e) for e in disturbed.update(state)]
+        found += [e.to_json() for e in disturbed.update(state)]
     assert found == expected
 
 

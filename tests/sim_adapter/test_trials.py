@@ -43,7 +43,7 @@ def test_verification_makes_the_prediction_no_later_on_average(goal: str) -> Non
 
 def test_the_same_seed_gives_the_same_events() -> None:
     settings = TrialSettings("breakfast", 7, robot=False)
-    first, second = ([str(e) for e in Trial(Domain.load("kitchen"), settings).events()] for _ in range(2))
+    first, second = ([e.to_json() for e in Trial(Domain.load("kitchen"), settings).events()] for _ in range(2))
     assert first == second
 
 

@@ -15,7 +15,7 @@ from casper.kb.terms.clauses import SYSTEM, Indicator
 from casper.kb.terms.origins import FactBlock
 from casper.kb.terms.terms import Term
 from casper.kb.text.bulk.terms import Terms
-from casper.kb.text.tokens import COMMENT
+from casper.kb.text.parsing.tokens import COMMENT
 
 _NAME = r"[a-z][A-Za-z0-9_]*+"
 _VALUE = rf"(?:{_NAME}|[0-9]{{1,15}}+(?:\.[0-9]{{1,15}}+)?)"

@@ -17,8 +17,8 @@ from casper.kb.terms.clauses import Clause, Literal, Production, Sentence
 from casper.kb.terms.terms import Compound, predication
 from casper.kb.text.bulk.facts import BlockReader
 from casper.kb.text.bulk.terms import TERM, TERMS, Terms, first_anonymous, numbered, part_matches, parts
-from casper.kb.text.places import Places
-from casper.kb.text.tokens import COMMENT, OTHERS, STOP, WITHIN
+from casper.kb.text.parsing.places import Places
+from casper.kb.text.parsing.tokens import COMMENT, OTHERS, STOP, WITHIN
 
 Parse = Callable[[str], list[Sentence]]
 _Span: TypeAlias = tuple[int, int]

@@ -1,45 +1,84 @@
 """The command line. Every command but ``repl`` takes ``--json``: one JSON object a line, nothing else on the output.
 
-Exit codes: 0 done, 1 some statement is not valid (verify) or the domain has errors (check), 2 a mistake, told in one
-sentence on standard error.
+Exit codes: 0 done, 1 some statement is not valid (verify), there is no answer (query), or the domain has errors
+(check), 2 a mistake, told in one sentence on standard error.
 """
 
 from __future__ import annotations
 
+import errno
+import os
 import sys
+from contextlib import suppress
+from typing import Annotated
 
 import typer
 
-from casper.cli.check import check
-from casper.cli.explain import explain
-from casper.cli.query import query
-from casper.cli.repl import repl
-from casper.cli.run import run
-from casper.cli.train import train
-from casper.cli.verify import verify
-from casper.cli.watch import watch
+from casper import __version__
+from casper.cli.asking.explain import explain
+from casper.cli.asking.query import query
+from casper.cli.asking.repl import repl
+from casper.cli.asking.verify import verify
+from casper.cli.authoring.check import check
+from casper.cli.authoring.train import train
+from casper.cli.terminal.plain import settle_streams, visible
+from casper.cli.watching.run import run
+from casper.cli.watching.watch import watch
 from casper.kb.errors import CasperError
+
+_NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 app = typer.Typer(
     name="casper",
-    help="Watch a partner, read the goal behind what they do, say why, and help.",
-    no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
+    rich_markup_mode=None,  # plain help: nothing is cut off in a narrow terminal, and no text is taken for markup
 )
 for command in (run, explain, verify, query, repl, watch, check, train):
-    app.command()(command)
+    app.command(short_help=(command.__doc__ or "").split("\n")[0])(command)  # a sentence in whole, not its beginning
+
+
+@app.callback(invoke_without_command=True)
+def casper(
+    context: typer.Context,
+    version: Annotated[bool, typer.Option("--version", help="Print the version and exit.")] = False,
+) -> None:
+    """Watch a partner, read the goal behind what they do, say why, and help."""
+    if version:
+        print(f"casper {__version__}")
+        raise typer.Exit()
+    if context.invoked_subcommand is None:
+        print(context.get_help())
 
 
 def main() -> None:
     """The ``casper`` command."""
+    settle_streams()
     try:
-        app()
+        try:
+            app()
+        finally:
+            sys.stdout.flush()
     except CasperError as mistake:
-        print(f"casper: {mistake}", file=sys.stderr)
+        print(f"casper: {visible(str(mistake))}", file=sys.stderr)
         sys.exit(2)
-    except BrokenPipeError:  # the reader of a pipe has had enough, as in ``casper … | head``
-        sys.stderr.close()
-        sys.exit(0)
+    except (SystemExit, OSError) as end:
+        _end_of_output(end)
+        raise
     except KeyboardInterrupt:
         sys.exit(130)
+
+
+def _end_of_output(end: SystemExit | OSError) -> None:
+    """Leave, if nothing can be written any more; what is still to be written must not be tried again at the end."""
+    had_enough = isinstance(end, BrokenPipeError) or isinstance(end.__context__, BrokenPipeError)
+    if not had_enough and isinstance(end, SystemExit):
+        return
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    if had_enough:  # the reader of a pipe, as in ``casper … | head``
+        sys.exit(0)
+    assert isinstance(end, OSError)
+    wrong = "cannot write the output" if end.errno in _NO_ROOM else "cannot go on"
+    print(f"casper: {wrong} ({end.strerror or end})", file=sys.stderr)
+    sys.exit(2)

@@ -12,7 +12,7 @@ from casper.engine.collaboration.supervisor import Supervisor
 from casper.engine.explanation.situation import Situation
 from casper.engine.reading.policy import best
 from casper.engine.reading.reading import Reading
-from casper.engine.recognition.recognisers import Options
+from casper.engine.recognition.options import Options
 from casper.engine.verification.matching import NameMatcher
 from casper.plans.library import PlanLibrary
 

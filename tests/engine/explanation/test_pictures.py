@@ -7,7 +7,7 @@ import xml.etree.ElementTree as Xml
 import pytest
 
 from casper import Domain
-from casper.engine.explanation.pictures import positions, save_picture
+from casper.engine.explanation.pictures import _figure, positions, save_picture
 from casper.kb.errors import CasperError
 
 pytest.importorskip("matplotlib")
@@ -56,3 +56,16 @@ def test_the_ending_says_the_format(tmp_path, name):
 def test_a_picture_that_cannot_be_is_refused(tmp_path, name, explanations, sentence):
     with pytest.raises(CasperError, match=sentence):
         save_picture(best("eat")[:explanations], tmp_path / name)
+
+
+def test_each_leaf_has_about_two_inches_and_each_row_one():
+    width, height = _figure(best("eat")[:1]).get_size_inches()
+    assert 1.5 < width / 4 < 2.5  # the plan has four actions
+    assert 0.8 < height / 3 < 1.5
+
+
+def test_a_line_runs_from_below_a_task_to_above_what_it_is_done_by():
+    (axes,) = _figure(best("eat")[:1]).axes
+    ends = [tuple(line.get_ydata()) for line in axes.lines]
+    assert len(ends) == 5
+    assert all(upper - lower == pytest.approx(1 - 2 * 0.22) and -lower % 1 == pytest.approx(0.78) for upper, lower in ends)

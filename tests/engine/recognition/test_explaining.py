@@ -6,9 +6,9 @@ from itertools import islice
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tellers import Counting
 
 from casper.engine.explanation.explanation import Explanation
-from casper.engine.recognition.counting import Counting
 from casper.engine.recognition.tree_copying import MarkedTree, explanations
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation
@@ -53,7 +53,7 @@ def counted(library: tuple[Plan, ...], seen: list[Observation], matcher: type) -
     counting = Counting(library, matcher(library))
     for observation in seen:
         counting.observe(observation)
-    found = [Explanation(library[f.plan], f.marks, f.binding, f.score, 0.0) for f in counting.stream()]
+    found = list(counting.explanations())
     assert counting.count == len(found)
     return found
 
@@ -96,7 +96,7 @@ def test_the_sums_of_scores_are_those_of_the_enumerated_explanations(
     for observation in seen:
         counting.observe(observation)
     specified = explanations(library, seen, ParameterMatcher(library))
-    for plan, total in enumerate(counting.score_sums()):
+    for plan, total in enumerate(counting.kernel.masses(counting.level)):
         assert abs(total - sum(tree.score for tree in specified if tree.plan == plan)) < 1e-12
 
 
@@ -107,10 +107,10 @@ def test_undoing_an_observation_leaves_the_counts_as_they_were(
     counting = Counting(library, ParameterMatcher(library))
     for observation in seen:
         counting.observe(observation)
-    before = (counting.count, counting.groups(), list(counting.stream()))
+    before = (counting.count, counting.posterior(), list(counting.explanations()))
     counting.observe(more)
     counting.undo()
-    assert (counting.count, counting.groups(), list(counting.stream())) == before
+    assert (counting.count, counting.posterior(), list(counting.explanations())) == before
 
 
 @settings(max_examples=5)
@@ -121,5 +121,5 @@ def test_the_stream_is_lazy_where_there_are_more_explanations_than_atoms(length:
     for _ in range(length):
         counting.observe(Observation("a"))
     assert counting.count > 10**10
-    first = list(islice(counting.stream(), 3))
+    first = list(islice(counting.explanations(), 3))
     assert [found.marks[-1] for found in first] == [length - 1, length, length]

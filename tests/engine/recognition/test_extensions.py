@@ -10,9 +10,9 @@ import pytest
 from brute_force import Told, explanations, rows
 from hypothesis import given
 from hypothesis import strategies as st
+from tellers import Counting
 
 from casper.engine.explanation.explanation import Explanation
-from casper.engine.recognition.counting import Counting
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation, Uncertain
 from casper.kb.terms.terms import Compound, Variable
@@ -86,28 +86,28 @@ def weight(told: Told, noise=None, priors=None, options=None) -> float:
 def agree(counting: Counting, specified: list[Told], noise=None, priors=None, options=None) -> None:
     """Counts exactly; every explanation with its score; best first; posterior and standing."""
     weigh = lambda told: weight(told, noise, priors, options)  # noqa: E731
-    length = counting.explained
+    length = len(counting.observations)
     found = list(counting.explanations())
     assert counting.count == len(specified) == len(found)
     key = lambda plan, marks, binding: (plan, marks, repr(binding))  # noqa: E731
-    mine = Counter(key(counting.plans.index(f.plan), marks_of(f, length), f.binding) for f in found)
+    mine = Counter(key(counting.kernel.plans.index(f.plan), marks_of(f, length), f.binding) for f in found)
     assert mine == Counter(key(t.plan, t.marks, t.binding) for t in specified)
-    weights = [f.score * counting.priors[counting.plans.index(f.plan)] for f in found]
+    weights = [f.score * counting.kernel.priors[counting.kernel.plans.index(f.plan)] for f in found]
     assert all(a > b - 1e-12 for a, b in pairwise(weights))
     for mine_weight, theirs in zip(weights, sorted(map(weigh, specified), reverse=True)):
         assert isclose(mine_weight, theirs, rel_tol=1e-9)
     whole = sum(map(weigh, specified))
     for label, share in counting.posterior().items():
-        part = sum(weigh(t) for t in specified if counting.plans[t.plan].label == label)
+        part = sum(weigh(t) for t in specified if counting.kernel.plans[t.plan].label == label)
         assert isclose(share, part / whole if whole else 0.0, rel_tol=1e-9, abs_tol=1e-12)
     standing = counting.standing()
     assert (standing is None) == (not specified)
     if standing is not None:
         top = max(map(weigh, specified))
         best = [t for t in specified if isclose(weigh(t), top, rel_tol=1e-12)]
-        assert standing.best_goal in {counting.plans[t.plan].label for t in best}
+        assert standing.best_goal in {counting.kernel.plans[t.plan].label for t in best}
         if options is None:
-            assert standing.rivals == sum(counting.plans[t.plan].label != standing.best_goal for t in best)
+            assert standing.rivals == sum(counting.kernel.plans[t.plan].label != standing.best_goal for t in best)
             assert standing.ties == len(best)
 
 
@@ -218,12 +218,12 @@ def test_a_recursive_task_is_unrolled_as_deep_as_is_stated(depth, seen):
 @given(libraries(plans, 2), st.lists(SEEN, min_size=1, max_size=3), SEEN, st.sampled_from([None, 0.5]))
 def test_a_fork_goes_its_own_way_and_undo_comes_back(library, seen, more, noise):
     counting = counted(library, seen, ParameterMatcher, noise)
-    before = (counting.count, counting.groups(), list(counting.stream()))
+    before = (counting.count, counting.posterior(), list(counting.explanations()))
     other = counting.fork()
     other.observe(more)
-    assert (counting.count, counting.groups(), list(counting.stream())) == before
+    assert (counting.count, counting.posterior(), list(counting.explanations())) == before
     other.undo()
-    assert (other.count, other.groups(), list(other.stream())) == before
+    assert (other.count, other.posterior(), list(other.explanations())) == before
 
 
 def test_seventeen_partly_ordered_steps_are_one_plan():

@@ -10,11 +10,11 @@ from math import comb
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tellers import Interleaving
 from test_extensions import PRICES, chains, distinct, libraries
 from test_fast_engines import NAMES, by_end, plain
 from test_noisy_arrays import priors_of
 
-from casper.engine.recognition.interleaving import Interleaving
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation, Uncertain
 from casper.kb.terms.terms import Compound, Variable
@@ -22,7 +22,9 @@ from casper.plans.trees.nodes import Action, Task
 from casper.plans.trees.plan import Plan
 
 pytest.importorskip("numpy")
-from casper.engine.recognition.noisy_pairs import NoisyPairs, fits
+from tellers import NoisyPairs
+
+from casper.engine.recognition.arrays.pair_states import fits
 
 LIBRARIES = libraries(lambda label: chains(label, 5), 4).map(distinct)  # of one goal there may be several plans
 SMALL = st.sampled_from([1e-5, 1e-60, 1e-110, 1e-160, 1e-250, 5e-324])
@@ -49,7 +51,7 @@ def told(found):
 def state(engine):
     """All that an engine says, exactly."""
     says = (engine.count, dict(engine.posterior()), engine.standing(), engine.alive(len(engine.observations)))
-    return (*says, engine.total(), by_end(engine), [(told(f), f.share) for f in islice(engine.explanations(), 20)])
+    return (*says, engine.kernel.total(engine.level), by_end(engine), [(told(f), f.share) for f in islice(engine.explanations(), 20)])
 
 
 def agree(fast, slow):
@@ -258,15 +260,15 @@ def test_parameters_that_only_the_goal_has_stay_unknown():
 @given(LIBRARIES, NAMES, PRICES)
 def test_what_is_handed_over_takes_uncertain_observations(library, seen, price):
     fast, slow = observed(both(library, price, priors_of(library)), seen)
-    handed = fast.interleaving()
     unsure = Uncertain(((Observation("a"), 0.6), (Observation("b"), 0.4)))
-    observed((handed, slow), [unsure])
-    assert (handed.count, handed.posterior(), handed.standing()) == (slow.count, slow.posterior(), slow.standing())
+    observed((fast, slow), [unsure])
+    assert (fast.count, fast.posterior(), fast.standing()) == (slow.count, slow.posterior(), slow.standing())
 
 
 def test_libraries_whose_pairs_would_fill_the_memory_are_told_apart():
     library = [plain(f"g{n}", *"abcdefghij", "a", "b") for n in range(100)]
-    assert fits(library)
-    assert fits([plain("g", "a")])
-    assert not fits([plain(f"g{n}", *"a" * 12) for n in range(100)])
-    assert not fits(library * 100)
+    assert fits(library, noisy=True)
+    assert fits([plain("g", "a")], noisy=True)
+    assert not fits([plain(f"g{n}", *"a" * 12) for n in range(100)], noisy=True)
+    assert not fits(library * 100, noisy=True)
+    assert fits([plain(f"g{n}", *"a" * 12) for n in range(100)], noisy=False)

@@ -42,3 +42,15 @@ def test_a_ground_no_touches_nothing():
 def test_a_relation_without_columns_holds_or_does_not():
     assert list(Relation("rain", 0, [()]).matching((), ())) == [()]
     assert list(Relation("rain", 0).matching((), ())) == []
+
+
+def test_a_row_that_comes_after_an_index_was_built_is_found_and_one_that_goes_is_not():
+    relation = Relation("r", 2, [("a", 1)])
+    assert list(relation.matching((0,), ("b",))) == []
+    assert relation.add(("b", 2)) and relation.add(("b", 3))
+    assert list(relation.matching((0,), ("b",))) == [("b", 2), ("b", 3)]
+    assert relation.remove(("b", 2)) and not relation.remove(("b", 2))
+    assert list(relation.matching((0,), ("b",))) == [("b", 3)]
+    assert relation.remove(("b", 3))
+    assert list(relation.matching((0,), ("b",))) == []
+    assert relation.add(("b", 4)) and list(relation.matching((0,), ("b",))) == [("b", 4)]

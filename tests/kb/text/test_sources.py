@@ -1,10 +1,14 @@
 """Texts of several files: include and use, and the mistakes one can make with them."""
 
+import os
+import re
+
 import pytest
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import CasperError
 from casper.kb.terms.terms import Compound
+from casper.kb.text import sources
 from casper.kb.text.namespace import prefixed
 from casper.kb.text.reader import read_query, read_statement, read_text
 from casper.kb.text.sources import Sources, fingerprint
@@ -170,12 +174,111 @@ def test_all_mistakes_can_be_collected_and_the_rest_is_read(tmp_path):
 
 def test_the_fingerprint_changes_with_any_file(tmp_path):
     main = written(tmp_path, main=':- include("other.pl").', other="p(a).")
-    sources = Sources()
-    sources.sentences(main)
-    before = fingerprint(sources.files)
-    assert fingerprint(sources.files) == before
+    read = Sources()
+    read.sentences(main)
+    before = fingerprint(read.files)
+    assert fingerprint(read.files) == before
     (tmp_path / "other.pl").write_text("p(b).")
-    changed = fingerprint(sources.files)
+    changed = fingerprint(read.files)
     assert changed != before
     (tmp_path / "other.pl").unlink()
-    assert fingerprint(sources.files) not in (before, changed)
+    assert fingerprint(read.files) not in (before, changed)
+
+
+# --- files of others ------------------------------------------------------------------------------------------------
+
+
+def told(file, roots=()):
+    with pytest.raises(CasperError) as mistake:
+        loaded(file, roots)
+    return str(mistake.value)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this platform has no pipes with a name")
+@pytest.mark.parametrize("line", ['include("{}")', 'use("{}", as(p))'])
+@pytest.mark.parametrize(("name", "kind"), [("pipe.pl", "a pipe"), ("/dev/zero", "a device"), ("circle.pl", "a circle of links"), ("lost.pl", "a link to nothing")])
+def test_what_is_no_regular_file_is_refused_before_it_is_opened(tmp_path, line, name, kind):
+    os.mkfifo(tmp_path / "pipe.pl")
+    (tmp_path / "circle.pl").symlink_to("circle.pl")
+    (tmp_path / "lost.pl").symlink_to("gone.pl")
+    main = written(tmp_path, main=f"p.\n:- {line.format(name)}.")
+    assert told(main) == f"{main}:2:1: {tmp_path / name} is {kind}, and only regular files are read"
+
+
+def test_a_folder_is_no_file_to_include(tmp_path):
+    (tmp_path / "parts").mkdir()
+    main = written(tmp_path, main=':- include("parts").')
+    assert told(main) == f"{main}:1:1: {tmp_path / 'parts'} is a folder, and only regular files are read"
+
+
+@pytest.mark.parametrize("name", ["x" * 5000, "a\\0b.pl", "main.pl/b.pl"])
+@pytest.mark.parametrize(("line", "sentence"), [('include("{}")', "there is no file"), ('use("{}", as(p))', "there is no domain")])
+def test_a_name_no_file_can_have_is_a_sentence_too(tmp_path, name, line, sentence):
+    assert f"main.pl:1:1: {sentence} " in told(written(tmp_path, main=f":- {line.format(name)}."))
+
+
+def test_a_link_to_the_folder_itself_is_no_way_to_read_a_file_twice(tmp_path):
+    (tmp_path / "again").symlink_to(tmp_path)
+    main = written(tmp_path, main=':- include("again/again/b.pl").\n:- include("b.pl").', b='p(a).\n:- include("again/c.pl").', c="p(b).")
+    assert len(Sources().sentences(main)) == 2
+
+
+def test_files_stand_within_files_only_so_deep(tmp_path):
+    names = [f"f{n}" for n in range(200)]
+    files = {name: f':- include("f{n + 1}.pl").' for n, name in enumerate(names[:-1])}
+    main = written(tmp_path, main=':- include("f0.pl").', **files, **{names[-1]: "p(a)."})
+    assert told(main).startswith(f"{tmp_path / 'f48.pl'}:1:1: files may stand within files 50 deep")
+    used = {name: text.replace("include", "use").replace('pl"', 'pl", as(p)') for name, text in files.items()}
+    assert "50 deep" in told(written(tmp_path, main=':- use("f0.pl", as(p)).', **used))
+
+
+def test_all_files_together_are_read_up_to_a_size(tmp_path, monkeypatch):
+    monkeypatch.setattr(sources, "MOST_ALTOGETHER", 2**20)
+    main = written(tmp_path, main=':- include("a.pl").\n:- use("b.pl", as(b)).', a="p(a).\n" + " " * 600_000, b="p(a).\n" + " " * 600_000)
+    assert told(main) == f"with {tmp_path / 'b.pl'} the files of this domain are larger than 1 MiB, the most that is read of a domain"
+
+
+SECRETS = {
+    "passwords": "root:hunter2:0:0\n",
+    "a name": "hunter2 hunter2.\n",
+    "a quote": "p('hunter2\n",
+    "a comment": "/* hunter2",
+    "no end": "p(hunter2",
+    "no clause": "hunter2 : -1 :- p.\np :- 'hunter2': 1.\n",
+    "a number": f"p({'1' * 5000}hunter2).",
+    "negated": "p :- \\+ (hunter2, b).",
+    "a large file": "p(a).\n" * 5000 + "hunter2 hunter2.\n",
+}
+
+
+@pytest.mark.parametrize("secret", SECRETS.values(), ids=SECRETS)
+@pytest.mark.parametrize("way", ["include", "use", "a link"])
+def test_a_mistake_outside_the_folder_shows_its_place_and_no_text(tmp_path, secret, way):
+    (tmp_path / "home").mkdir()
+    (tmp_path / "secret.pl").write_text(secret)
+    lines = {"include": ':- include("../secret.pl").', "use": ':- use("../secret.pl", as(s)).', "a link": ':- include("link.pl").'}
+    (tmp_path / "home" / "link.pl").symlink_to(tmp_path / "secret.pl")
+    (tmp_path / "home" / "main.pl").write_text(lines[way])
+    sentence = told(tmp_path / "home" / "main.pl")
+    assert "hunter2" not in sentence
+    assert "\n" not in sentence
+    assert re.match(r".*(secret|link)\.pl:\d+:\d+: .* \(its line is not shown, as the file lies outside the domain's folder\)$", sentence)
+
+
+def test_a_mistake_in_the_folder_and_in_a_shipped_text_shows_the_line(tmp_path):
+    text = "p(a).\nq q.\n"
+    main = written(tmp_path, main=':- include("deep/a.pl").', deep__a=text)
+    assert told(main).endswith("2:3: 'q' does not belong here; expected a full stop\n    q q.\n      ^")
+    (tmp_path / "home").mkdir()
+    (tmp_path / "home" / "main.pl").write_text(':- use("deep/a.pl", as(a)).')
+    assert "    q q.\n" in told(tmp_path / "home" / "main.pl", [tmp_path])
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this platform has no pipes with a name")
+def test_a_fingerprint_waits_for_no_pipe(tmp_path):
+    file = tmp_path / "a.pl"
+    file.write_text("p.")
+    before = fingerprint([file])
+    file.unlink()
+    os.mkfifo(file)
+    assert fingerprint([file]) != before

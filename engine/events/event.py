@@ -1,0 +1,46 @@
+"""Events: every hand-over in the mind, as frozen data that can be logged, replayed and shown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from casper.engine.events.printing import NAMES, Names, event_lines
+from casper.kb.text.lines import Line, one_line, text_of
+
+TYPES = (
+    "focus",
+    "movement",
+    "action",
+    "verdict",
+    "reading",
+    "prediction",
+    "plan",
+    "robot",
+    "warning",
+    "summary",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """One thing that happened: its type (one of `TYPES`), when (seconds), and what."""
+
+    type: str
+    t: float
+    data: Mapping[str, Any] = field(default_factory=dict)
+
+    def to_json(self) -> dict[str, Any]:
+        """The design's object: ``{"type": …, "t": …, **data}``."""
+        return {"type": self.type, "t": self.t, **self.data}
+
+    def lines(self, names: Names = NAMES) -> Iterator[Line]:
+        """What a person is shown."""
+        return event_lines(self.type, self.t, self.data, names)
+
+    def __str__(self) -> str:
+        return text_of(self.lines())
+
+    def __repr__(self) -> str:
+        return one_line(f"Event {self.type} at {self.t:g} s")

@@ -1,0 +1,121 @@
+"""Single explanations, best first.
+
+They come from a kernel that keeps what led to each of its states. Those for chains by names count in numbers of their
+own; the explanations of a set of plans are then listed by counting these once more, alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from heapq import heapify, heappop, heappush
+from itertools import count
+from typing import Any
+
+from casper.engine.explanation.explanation import Explanation, Interleaved
+from casper.engine.recognition.kernels.counting import Counting
+from casper.engine.recognition.kernels.interleaving import Interleaving
+from casper.engine.recognition.kernels.kernel import Kernel, Listing, Marks, Path, Plans
+from casper.engine.recognition.kernels.levels import MOST_STATES
+from casper.engine.recognition.kernels.states import split
+from casper.engine.verification.matching import Matcher, NameMatcher
+from casper.engine.verification.observation import Seen
+from casper.plans.trees.plan import Plan
+
+UNBOUNDED = 1 << 60  # states
+
+
+class Explanations:
+    """The explanations that a kernel counted.
+
+    Args:
+        kernel: what counts.
+        level: where it is.
+        seen: the observations so far.
+    """
+
+    def __init__(self, kernel: Kernel[Any], level: Any, seen: Sequence[Seen]) -> None:
+        self.kernel, self.level, self.seen = kernel, level, seen
+        self._whole, self._least = kernel.total(level), kernel.least(level)
+
+    def first(self, plans: Plans) -> Explanation | Interleaved:
+        """The best explanation of exactly these plans."""
+        marks = self.kernel.first_marks(self.level, plans[0], self.seen)
+        return self._told(next(self._paths(plans)) if marks is None else self._marked(plans[0], marks))
+
+    def all(self) -> Iterator[Explanation | Interleaved]:
+        """Every explanation, lazily: by weight, then plans, then marks."""
+        bounds: dict[Plans, float] = {}
+        for weight, plans in self.kernel.tops(self.level):
+            bounds[plans] = max(weight, bounds.get(plans, weight))
+        order = count()
+        heap: list[tuple[float, Plans, int, Path | None, Iterator[Path]]] = [
+            (-weight, plans, next(order), None, self._paths(plans)) for plans, weight in bounds.items()
+        ]
+        heapify(heap)
+        while heap:
+            _, plans, _, path, rest = heappop(heap)
+            if path is not None:
+                yield self._told(path)
+            following = next(rest, None)
+            if following is not None:
+                heappush(heap, (-self._scored(following)[1], plans, next(order), following, rest))
+
+    def _paths(self, plans: Plans) -> Iterator[Path]:
+        """The explanations of exactly these plans, best first."""
+        if isinstance(self.kernel, Listing):
+            yield from self.kernel.paths(self.level, plans)
+            return
+        chosen = [self.kernel.plans[plan] for plan in plans]
+        matcher = NameMatcher(chosen)
+        alone = listing(self.kernel, chosen, matcher, budget=UNBOUNDED)
+        *_, level = levels_of(alone, self.seen, matcher)
+        for path in alone.paths(level, tuple(range(len(plans)))):
+            parts = tuple((plans[at], leaves, self.kernel.binding(plans[at])) for at, leaves, _ in path.parts)
+            yield Path(parts, path.needless, path.size, path.missed)
+
+    def _marked(self, plan: int, marks: Marks) -> Path:
+        leaves, needless = split(marks)
+        size, missed = len(self.kernel.plans[plan].leaves), leaves[-1] + 1 - len(leaves)
+        return Path(((plan, leaves, self.kernel.binding(plan)),), needless, size, missed)
+
+    def _scored(self, path: Path) -> tuple[float, float]:
+        """The score, and what the explanation weighs."""
+        above, below = self.kernel.measure(path.size, len(self.seen) - len(path.needless), path.missed)
+        price, needless, score, prior = self.kernel.noise or 1.0, len(path.needless), above / below, 1.0
+        for plan, _, _ in path.parts:
+            prior *= self.kernel.priors[plan]
+        weight = price ** (needless - self._least) * score if needless != self._least else score
+        score = price**needless * score if needless else score
+        return score * path.likelihood, weight * path.likelihood * prior
+
+    def _told(self, path: Path) -> Explanation | Interleaved:
+        plans, index = self.kernel.plans, self.kernel.index
+        score, weight = self._scored(path)
+        share = weight / self._whole if self._whole else 0.0
+        if not self.kernel.several:
+            ((plan, leaves, binding),) = path.parts
+            return Explanation(plans[plan], leaves, binding, score, share, path.needless)
+        parts = sorted(path.parts, key=lambda part: index[plans[part[0]].label])
+        told = tuple(Explanation(plans[plan], leaves, binding, score, share) for plan, leaves, binding in parts)
+        return Interleaved(told, score, share, path.needless)
+
+
+def listing(
+    kernel: Kernel[Any],
+    plans: Sequence[Plan],
+    matcher: Matcher,
+    priors: Sequence[float] | None = None,
+    budget: int | None = None,
+) -> Listing[Any]:
+    """A kernel that counts these plans as the given one counts its own, and can list."""
+    if not kernel.several:
+        return Counting(plans, matcher, kernel.noise, priors, kernel.measure, budget or MOST_STATES)
+    return Interleaving(plans, matcher, kernel.goals, kernel.noise, priors, kernel.measure, budget)
+
+
+def levels_of(kernel: Kernel[Any], seen: Sequence[Seen], matcher: Matcher) -> Iterator[Any]:
+    """The levels of a kernel that makes these observations, from that before the first."""
+    level = kernel.begin()
+    yield level
+    for one in seen:
+        yield (level := kernel.advance(level, one, matcher))

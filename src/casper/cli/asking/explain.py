@@ -1,0 +1,49 @@
+"""``casper explain``: what goals a row of observed actions speaks for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
+
+
+def explain(
+    domain: DomainName,
+    actions: Annotated[list[str], typer.Argument(help='In order: "eat" or "eat(biscuits, plate)".')],
+    policy: PolicyName = "strict",
+    top: Annotated[int, typer.Option(min=0, help="How many of the best explanations to show.")] = 3,
+    no_verification: Unverified = False,
+    noise: Noise = None,
+    goals: Goals = 1,
+    questions: Annotated[
+        int, typer.Option("--questions", min=0, metavar="N", help="Show the N questions whose answer would tell most.")
+    ] = 0,
+    picture: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw the best explanations of all actions: .svg, .png or .pdf.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Explain observed actions: after each one, the goals, the best explanations, and why the others are out."""
+    from casper.cli.terminal.output import console, print_json
+    from casper.cli.terminal.showing import show
+    from casper.engine.domain.domain import Domain
+
+    if picture is not None:
+        from casper.engine.explanation.pictures import check_picture
+
+        check_picture(picture)
+    reading = Domain.load(domain).reading(policy, verification=not no_verification, noise=noise, goals=goals)
+    for action in actions:
+        reading.observe(action)
+        if as_json:
+            asked = {"questions": [q.to_json() for q in reading.questions()[:questions]]} if questions else {}
+            print_json({**reading.to_json(top), **asked})
+        else:
+            show(console(), reading.lines(top, questions))
+    if picture is not None:
+        from casper.engine.explanation.pictures import save_picture
+
+        save_picture([part for explanation in reading.best(max(top, 1)) for part in explanation.parts], picture)

@@ -1,0 +1,37 @@
+"""``casper query``: answers in any direction."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from casper.cli.terminal.options import AsJson, DomainName
+
+
+def query(
+    domain: DomainName,
+    goal: Annotated[str, typer.Argument(help='Such as "eat(A, T, D)" or "valid(S)"; capitals are asked for.')],
+    limit: Annotated[int | None, typer.Option(min=1, help="Stop after this many answers.")] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Answer a question to a domain, whichever of its parts are known.
+
+    Exit code 0 with an answer, 1 without any.
+    """
+    from casper.cli.terminal.output import console, json_value, print_json
+    from casper.cli.terminal.showing import say
+    from casper.engine.domain.domain import Domain
+    from casper.kb.text.writer import answer_text
+
+    out, found = console(), False
+    for answer in Domain.load(domain).kb.query(goal, limit):
+        found = True
+        if as_json:
+            print_json({name: json_value(value) for name, value in answer.items()})
+        else:
+            say(out, answer_text(answer))
+    if not found:
+        if not as_json:
+            say(out, "no")
+        raise typer.Exit(1)

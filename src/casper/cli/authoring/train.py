@@ -1,0 +1,77 @@
+"""``casper train``: learn the movements from simulated trials and write them as clauses."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from casper.cli.terminal.options import AsJson, DomainName
+
+if TYPE_CHECKING:
+    from casper.engine.movements.tree import Evaluation
+    from casper.kb.errors import CasperError
+
+
+def train(
+    domain: DomainName,
+    trials: Annotated[int, typer.Option(min=2, max=1000, help="Scripted trials to learn from.")] = 10,
+    seed: Annotated[int, typer.Option(help="Of the trials and the tree; the same seed gives the same file.")] = 1,
+    leaves: Annotated[int, typer.Option(min=2, help="Leaves the tree may have.")] = 5,
+    output: Annotated[Path | None, typer.Option(help="Where to write; movements.pl of the domain.")] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Learn which movement it is from qualitative relations, judged by leaving one trial out."""
+    from casper.cli.terminal.extras import needs
+    from casper.cli.terminal.output import print_json
+    from casper.engine.domain.domain import Domain
+
+    needs("sklearn", "train")
+    needs("mujoco", "sim")
+    from casper.engine.movements.clauses import compile_tree
+    from casper.engine.movements.tree import check_learning, fit, leave_one_trial_out
+    from casper.kb.text.files import unwritable
+    from casper.sim_adapter.training.samples import training_samples
+
+    loaded = Domain.load(domain)
+    file = output or loaded.folder / "movements.pl"
+    if (reason := unwritable(file)) is not None:
+        raise _unwritten(file, reason)
+    check_learning(leaves, seed)
+    samples = list(training_samples(loaded, trials, seed))
+    evaluation = leave_one_trial_out(samples, leaves, seed)
+    try:
+        file.write_text(compile_tree(fit(samples, leaves, seed), evaluation), encoding="utf-8")
+    except OSError as mistake:
+        raise _unwritten(file, mistake.strerror or str(mistake)) from None
+    if as_json:
+        print_json(
+            {
+                "samples": len(samples),
+                "trials": trials,
+                "accuracy": evaluation.accuracy,
+                "per_trial": {str(trial): share for trial, share in evaluation.per_trial.items()},
+                "labels": list(evaluation.labels),
+                "confusion": {true: dict(row) for true, row in evaluation.confusion.items()},
+                "file": str(file),
+            }
+        )
+    else:
+        _show(evaluation, len(samples), trials, file)
+
+
+def _unwritten(file: Path, reason: str) -> CasperError:
+    from casper.kb.errors import DomainError
+
+    return DomainError(f"cannot write {file} ({reason}); choose another place with --output")
+
+
+def _show(evaluation: Evaluation, samples: int, trials: int, file: Path) -> None:
+    from casper.cli.terminal.output import console
+    from casper.cli.terminal.showing import say, show
+
+    out = console()
+    say(out, f"{samples} samples from {trials} trials")
+    show(out, evaluation.lines())
+    say(out, f"written to {file}")

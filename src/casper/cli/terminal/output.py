@@ -1,0 +1,36 @@
+"""What the printers of the commands share: a console that shows texts as they are, and JSON lines."""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import Any
+
+from rich.console import Console
+
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Term, Variable, as_term, predication
+
+
+def console() -> Console:
+    """The terminal; plain text when it is none. Texts go to it through `showing`, never as markup."""
+    return Console(highlight=False, soft_wrap=True, emoji=False, markup=False)
+
+
+def print_json(data: dict[str, Any]) -> None:
+    r"""One JSON object on one line, at once; with ``\u`` escapes where the output cannot hold its characters."""
+    line = json.dumps(data, ensure_ascii=False)
+    try:
+        line.encode(getattr(sys.stdout, "encoding", None) or "utf-8")
+    except UnicodeEncodeError:
+        line = json.dumps(data)
+    print(line, flush=True)
+
+
+def json_value(term: Term) -> Any:
+    """A term as a JSON value: numbers and atoms as they are, compound terms as text, what may be anything as null."""
+    if isinstance(term, Variable):
+        return None
+    if isinstance(term, tuple):
+        return term_text(as_term(predication(term)))
+    return term

@@ -1,0 +1,45 @@
+"""Printed lines on the terminal: the one place where roles become colours, and where text meets rich."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rich.console import Console
+from rich.text import Text
+
+from casper.cli.terminal.plain import visible
+from casper.kb.text.lines import Line, Role, Span, lines_of
+
+STYLES: dict[Role, str] = {
+    "plain": "",
+    "strong": "bold",
+    "faint": "dim",
+    "share": "cyan",
+    "good": "green",
+    "bad": "red",
+    "outcome": "bold green",
+    "error": "bold red",
+    "warning": "yellow",
+    "note": "cyan",
+    "walk": "blue",
+    "carry": "magenta",
+    "grasp": "yellow",
+}
+
+
+def show(out: Console, lines: Iterable[Line]) -> None:
+    """Print lines as they come, in colours where the terminal has them.
+
+    No text is taken for markup, and no control character of a domain's text reaches the terminal: it is spelled out.
+    """
+    for spans in lines:
+        out.print(Text.assemble(*map(_styled, spans)))
+
+
+def say(out: Console, text: str) -> None:
+    """Print plain text."""
+    show(out, lines_of(text))
+
+
+def _styled(span: Span) -> tuple[str, str]:
+    return visible(span.text), STYLES[span.role]

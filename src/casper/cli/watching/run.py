@@ -1,0 +1,69 @@
+"""``casper run``: simulate a partner, watch, predict, help."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
+
+if TYPE_CHECKING:
+    from casper.engine.events import Event
+
+NAP = 3600.0  # seconds slept at once: no platform counts up to any float
+
+
+def run(
+    domain: DomainName,
+    goal: Annotated[str | None, typer.Option(help="What the partner is after; by default drawn from the seed.")] = None,
+    seed: Annotated[int, typer.Option(help="Of the start, the partner's pace and the sensor's noise.")] = 0,
+    no_verification: Unverified = False,
+    no_robot: Annotated[bool, typer.Option("--no-robot", help="Watch and predict only.")] = False,
+    policy: PolicyName = "strict",
+    noise: Noise = None,
+    goals: Goals = 1,
+    speed: Annotated[float, typer.Option(help="Simulated seconds a second; 0 is as fast as it goes.")] = 0.0,
+    as_json: AsJson = False,
+) -> None:
+    """Simulate a partner in the domain's room, read their goal, and do the robot's part."""
+    from casper.cli.terminal.extras import needs
+    from casper.cli.terminal.output import console, print_json
+    from casper.cli.terminal.showing import show
+    from casper.engine.domain.domain import Domain
+    from casper.engine.events.timeline import Timeline
+
+    _check_speed(speed)
+    loaded = Domain.load(domain)
+    needs("mujoco", "sim")
+    from casper.sim_adapter.trial import Trial, TrialSettings
+
+    trial = Trial(loaded, TrialSettings(goal, seed, not no_verification, not no_robot, policy, noise, goals))
+    out, timeline = console(), Timeline(loaded.partner, loaded.robot)
+    if not as_json:
+        show(out, timeline.open(loaded.name, seed))
+    for event in _paced(trial.events(), speed):
+        if as_json:
+            print_json(event.to_json())
+        else:
+            show(out, timeline.lines(event))
+
+
+def _check_speed(speed: float) -> None:
+    from casper.kb.errors import CasperError
+
+    if not 0 <= speed < math.inf:
+        raise CasperError(f"the speed is a finite number from 0 (as fast as it goes), not {speed}")
+
+
+def _paced(events: Iterable[Event], speed: float) -> Iterator[Event]:
+    """The events, held back to the asked pace."""
+    began = time.monotonic()
+    for event in events:
+        if speed > 0:
+            while (left := event.t / speed - (time.monotonic() - began)) > 0:
+                time.sleep(min(left, NAP))
+        yield event

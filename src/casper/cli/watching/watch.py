@@ -1,0 +1,98 @@
+"""``casper watch``: read world states (JSON lines) from standard input, so that any robot can feed the mind."""
+
+from __future__ import annotations
+
+import io
+import sys
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Annotated, TextIO
+
+import typer
+
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Stops, Unverified
+
+if TYPE_CHECKING:
+    from casper.engine.events import Event
+    from casper.engine.mind import Mind
+
+LONGEST = 10_000_000  # characters of a world state
+
+
+def watch(
+    domain: DomainName,
+    no_verification: Unverified = False,
+    policy: PolicyName = "strict",
+    noise: Noise = None,
+    goals: Goals = 1,
+    stop: Stops = False,
+    reload: Annotated[bool, typer.Option("--reload", help="Read the domain anew when its files change.")] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Watch a partner through world states on standard input; a bad line is reported and left out."""
+    from casper.cli.terminal.output import console, print_json
+    from casper.cli.terminal.showing import show
+    from casper.engine.domain.domain import Domain
+    from casper.engine.events.timeline import Timeline
+    from casper.engine.mind import Mind
+
+    loaded = Domain.load(domain)
+    mind = Mind(loaded, verification=not no_verification, policy=policy, noise=noise, goals=goals, stops=stop)
+    out, timeline = console(), Timeline(loaded.partner, loaded.robot)
+    for event in watched(mind, _lines(sys.stdin), reload):
+        if as_json:
+            print_json(event.to_json())
+        else:
+            show(out, timeline.lines(event))
+
+
+def watched(mind: Mind, lines: Iterable[str], reload: bool = False) -> Iterator[Event]:
+    """The mind's events for JSON lines of world states; a line that cannot be used becomes a ``warning``.
+
+    With ``reload`` changes in the domain's files are taken in between two lines, and told as warnings, too.
+    """
+    from casper.engine.events import Event
+    from casper.engine.live import Live
+    from casper.engine.perception.world import world_state_from_json
+    from casper.kb.errors import WorldStateError
+
+    now, live = 0.0, Live(mind)
+    for number, line in enumerate(lines, 1):
+        if not line.strip():
+            continue
+        for message in live.refresh() if reload else ():
+            yield Event("warning", now, {"message": message})
+        try:
+            _check_line(line)
+            world = world_state_from_json(line)
+            events = live.mind.update(world)
+            now = world.t
+        except WorldStateError as mistake:
+            yield Event("warning", now, {"message": f"line {number} is left out: {mistake.sentence}"})
+            continue
+        yield from events
+    yield Event("summary", now, live.mind.summary())
+
+
+def _lines(stream: TextIO) -> Iterator[str]:
+    """The lines of a stream of JSON, which is UTF-8 whatever the terminal speaks; what is too long is cut."""
+    if isinstance(stream, io.TextIOWrapper):
+        stream.reconfigure(encoding="utf-8-sig", errors="surrogateescape")
+    while line := stream.readline(LONGEST + 1):
+        rest = line
+        while rest and not rest.endswith("\n"):
+            rest = stream.readline(LONGEST)
+        yield line
+
+
+def _check_line(line: str) -> None:
+    """Refuse a line that is too long to be read, or that held bytes of no character."""
+    from casper.kb.errors import WorldStateError
+
+    if len(line.rstrip("\n")) > LONGEST:
+        raise WorldStateError(f"it is longer than {LONGEST:,} characters")
+    try:
+        line.encode("utf-8")
+    except UnicodeEncodeError as mistake:
+        byte = ord(line[mistake.start]) & 0xFF
+        sentence = f"it is not UTF-8 (byte 0x{byte:02x} at column {mistake.start + 1}); send JSON in UTF-8"
+        raise WorldStateError(sentence) from None
