@@ -2,8 +2,8 @@
 
     python docs/house.py
 
-Each room shows how many files it has; an arrow goes to the house on whose ground one stands. Nothing here is typed: rooms
-that change change the picture.
+Each room shows how many files it has; an arrow goes to the house on whose ground one stands. Nothing here is typed:
+rooms that change change the picture.
 """
 
 from __future__ import annotations
@@ -17,7 +17,13 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 ROOT = Path(__file__).resolve().parent.parent
-HOUSES = {"kb": "the logic", "plans": "the plan library", "engine": "the mind", "sim_adapter": "MuJoCo", "cli": "the command line"}
+HOUSES = {
+    "kb": "the logic",
+    "plans": "the plan library",
+    "engine": "the mind",
+    "sim_adapter": "MuJoCo",
+    "cli": "the command line",
+}
 FOLDERS = {"cli": ROOT / "src" / "casper" / "cli"}
 COLOURS = {"kb": "#cfe3f5", "plans": "#d9ead3", "engine": "#fde9c9", "sim_adapter": "#f5d5d0", "cli": "#e3dcef"}
 
@@ -57,7 +63,8 @@ def main() -> None:
                 label = f"{name}{size(house, name)}"
                 axes.text(x + at * width + width / 2 - 0.02, y + 0.43, label, ha="center", va="center", fontsize=8.5)
         if column:
-            axes.annotate("", (x - 0.55, 0.43), (x - 0.03, 0.43), arrowprops={"arrowstyle": "->", "color": "#333", "lw": 1.5})
+            arrow = {"arrowstyle": "->", "color": "#333", "lw": 1.5}
+            axes.annotate("", (x - 0.55, 0.43), (x - 0.03, 0.43), arrowprops=arrow)
     axes.set_xlim(-0.1, 12.6)
     axes.set_ylim(-1.6, max(len(floors(house)) for house in HOUSES) + 0.1)
     axes.axis("off")

@@ -43,7 +43,7 @@ def test_the_sdist_holds_the_tests_and_the_changelog(built: Path) -> None:
     (sdist,) = built.glob("*.tar.gz")
     with tarfile.open(sdist) as archive:
         names = {n.split("/", 1)[1] for n in archive.getnames() if "/" in n}
-    assert {"tests/test_packaging.py", "CHANGELOG.md", "LICENSE", "kb/text/grammar.lark"} <= names
+    assert {"tests/test_packaging.py", "CHANGELOG.md", "LICENSE", "kb/text/parsing/parser.py"} <= names
 
 
 @pytest.mark.parametrize("name", ["networkx", "sklearn", "mujoco", "numpy", "matplotlib", "rich"])

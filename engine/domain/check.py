@@ -13,8 +13,9 @@ from casper.kb.checks.check import Context, check_sentences
 from casper.kb.checks.finding import Finding, Severity, finding_of, sorted_findings
 from casper.kb.errors import CasperError, DomainError, Place
 from casper.kb.terms.clauses import Clause, Indicator, Production, Sentence
+from casper.kb.terms.operators import Operators
 from casper.kb.text.files import is_there, read_utf8
-from casper.kb.text.reader import read_text
+from casper.kb.text.reader import Told, read_text
 from casper.kb.text.recovery import read_tolerantly
 from casper.kb.text.sources import Sources
 from casper.plans.checks import telling_apart
@@ -62,14 +63,14 @@ class _Read:
     def everything(self) -> list[Sentence]:
         return [sentence for found in self.sentences.values() for sentence in found]
 
-    def _file(self, path: Path) -> list[Sentence]:
+    def _file(self, path: Path, operators: Operators, told: Told) -> list[Sentence]:
         try:
             text = read_utf8(path)
         except OSError as mistake:
             raise DomainError(f"this file cannot be read ({mistake})", Place(str(path))) from None
         if self.sources.is_foreign(path):  # what can be read of it in spite of a mistake is nobody's business
-            return read_text(text, str(path))
-        read = read_tolerantly(text, str(path))
+            return read_text(text, str(path), operators, told)
+        read = read_tolerantly(text, str(path), operators, told)
         self.findings.extend(map(finding_of, read.mistakes))
         self.half_read |= read.half_read
         return read.sentences

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
@@ -43,13 +44,18 @@ def fits(arities: Iterable[int], constants: int) -> bool:
     return all((constants + 1) ** arity < MOST_CODES for arity in arities)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass
 class _Rule:
-    """A rule with the order of its conditions, the first of them perhaps the delta."""
+    """A rule, and which of its conditions (if any) ranges over what is new."""
 
+    number: int
     clause: Clause
-    order: tuple[Literal, ...]
-    from_delta: bool
+    delta_at: int | None = None
+
+    @cached_property
+    def order(self) -> tuple[Literal, ...]:
+        """The conditions in the order of evaluation: what is new comes first."""
+        return _ordered(self.clause.body, self.delta_at)
 
 
 class ColumnStratum:
@@ -58,7 +64,7 @@ class ColumnStratum:
     Args:
         tables: every predicate's table; those of the stratum grow.
         rules: the stratum's rules.
-        check: called after each round with the number of rows so far; raises when that is too many.
+        check: called after each round with the number of new rows; raises when there are too many.
     """
 
     def __init__(
@@ -67,27 +73,31 @@ class ColumnStratum:
         interner: Interner,
         stratum: frozenset[Indicator],
         rules: list[Clause],
-        check: Callable[[dict[Indicator, int]], None],
+        check: Callable[[int], None],
     ) -> None:
         self.tables, self.interner, self.stratum, self.check = tables, interner, stratum, check
-        self.first = [_Rule(rule, _ordered(rule.body, None), False) for rule in rules]
-        self.recursive: list[tuple[Indicator, _Rule]] = []
-        for rule in rules:
+        self.first = [_Rule(number, rule) for number, rule in enumerate(rules)]
+        self.recursive: dict[Indicator, list[_Rule]] = {}
+        for number, rule in enumerate(rules):
             for at, literal in enumerate(rule.body):
                 if not literal.negated and not literal.is_comparison and literal.atom.indicator in stratum:
-                    ordered = _Rule(rule, _ordered(rule.body, at), True)
-                    self.recursive.append((literal.atom.indicator, ordered))
+                    self.recursive.setdefault(literal.atom.indicator, []).append(_Rule(number, rule, at))
 
     def run(self, round_: int) -> int:
         """Evaluate to the fixpoint; the last round's number."""
-        found = [(rule.clause.head.indicator, self._derive(rule, None)) for rule in self.first]
+        found = [(rule.clause.head.indicator, self._derive(rule, None)) for rule in self.first if self._may_fire(rule)]
         while delta := self._add(found, round_ := round_ + 1):
+            due = [rule for indicator in delta for rule in self.recursive.get(indicator, ())]
             found = [
-                (rule.clause.head.indicator, self._derive(rule, delta[indicator]))
-                for indicator, rule in self.recursive
-                if indicator in delta
+                (rule.clause.head.indicator, self._derive(rule, delta[rule.order[0].atom.indicator]))
+                for rule in sorted(due, key=lambda rule: rule.number)
             ]
         return round_
+
+    def _may_fire(self, rule: _Rule) -> bool:
+        """Whether there is something to look up for every condition."""
+        looked_up = (x for x in rule.clause.body if not x.negated and not x.is_comparison)
+        return all(len(self.tables[x.atom.indicator]) for x in looked_up)
 
     def _add(self, found: list[tuple[Indicator, list[Ids]]], round_: int) -> dict[Indicator, list[Ids]]:
         """Put what a round derived into the tables; what was new, by predicate."""
@@ -101,7 +111,7 @@ class ColumnStratum:
             new = self.tables[indicator].add(columns, round_)
             if len(new[0]):
                 delta[indicator] = new
-        self.check({indicator: len(new[0]) for indicator, new in delta.items()})
+        self.check(sum(len(new[0]) for new in delta.values()))
         return delta
 
     def _derive(self, rule: _Rule, delta: list[Ids] | None) -> list[Ids]:
@@ -113,8 +123,7 @@ class ColumnStratum:
                 frame, size = self._compare(literal, frame, size)
             elif literal.negated:
                 frame, size = self._absent(literal, frame, size)
-            elif at == 0 and rule.from_delta:
-                assert delta is not None
+            elif at == 0 and delta is not None:
                 frame, size = self._bind(literal, {}, delta, len(delta[0]))
             else:
                 frame, size = self._join(literal, frame, size)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from casper.kb.bottom_up.columnar import ColumnStratum, fits, is_columnar
-from casper.kb.bottom_up.size import check_size
+from casper.kb.bottom_up.size import Room
 from casper.kb.program.program import Program
 from casper.kb.relations.column_relation import ColumnRelation
 from casper.kb.relations.columns import Interner, Table
@@ -34,17 +34,10 @@ def columnar_fixpoint(program: Program, most_rows: int) -> dict[Indicator, Relat
     for indicator, found in columns.items():
         if len(found[0]):
             tables[indicator].add(found, 0)
-    round_ = 0
+    room, round_ = Room(most_rows, tables), 0
     for stratum in program.strata:
         of_stratum = [rule for indicator in sorted(stratum) for rule in program.rules[indicator]]
-        sizes = {indicator: len(table) for indicator, table in tables.items()}
-
-        def check(new: dict[Indicator, int], sizes: dict[Indicator, int] = sizes) -> None:
-            for indicator, count in new.items():
-                sizes[indicator] += count
-            check_size(sizes, most_rows)
-
-        round_ = ColumnStratum(tables, interner, stratum, of_stratum, check).run(round_)
+        round_ = ColumnStratum(tables, interner, stratum, of_stratum, room.take).run(round_)
     relations: dict[Indicator, Relation] = {i: Relation(*i, program.given[i]) for i in stored if i[1] == 0}
     relations.update((i, ColumnRelation(*i, tables[i], interner)) for i in wide)
     return relations

@@ -12,12 +12,13 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, MutableMapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TypeAlias
 
 from casper.kb.bottom_up.join import Join
 from casper.kb.program.program import Program
 from casper.kb.relations.relation import Columns, Relation, Row
-from casper.kb.terms.clauses import Indicator
+from casper.kb.terms.clauses import Clause, Indicator
 
 Change: TypeAlias = dict[Indicator, dict[Row, None]]
 Given: TypeAlias = Mapping[Indicator, Mapping[Row, object]]  # base facts
@@ -28,13 +29,27 @@ class TooMuch(Exception):
     """A removal took so many rows with it that the fixpoint is better computed anew."""
 
 
-@dataclass(frozen=True)
+@dataclass
 class _Plan:
-    """A rule compiled for a change of one of its conditions: to find what it gives, and what it may have given."""
+    """A rule for a change of one of its conditions: to find what it gives, and what it may have given."""
 
-    head: Indicator
-    gives: Join
-    gave: Join
+    rule: Clause
+    at: int
+
+    @property
+    def head(self) -> Indicator:
+        """The predicate it gives rows of."""
+        return self.rule.head.indicator
+
+    @cached_property
+    def gives(self) -> Join:
+        """The rule compiled for rows that came."""
+        return Join(self.rule, self.at)
+
+    @cached_property
+    def gave(self) -> Join:
+        """The rule compiled for rows that went: a superset of what it gave."""
+        return Join(self.rule, self.at, negations=False)
 
 
 @dataclass
@@ -51,8 +66,7 @@ class Maintenance:
         for rule in (rule for indicator in stored for rule in self.program.rules[indicator]):
             for at, literal in enumerate(rule.body):
                 if not literal.is_comparison:
-                    plan = _Plan(rule.head.indicator, Join(rule, at), Join(rule, at, negations=False))
-                    self._plans[literal.atom.indicator, literal.negated].append(plan)
+                    self._plans[literal.atom.indicator, literal.negated].append(_Plan(rule, at))
 
     def update(
         self, given: Given, relations: MutableMapping[Indicator, Relation], added: Change, removed: Change, round_: int

@@ -138,6 +138,8 @@ def ordered_body(
     body: tuple[Literal, ...], delta_at: int | None, known: Set[Variable] = NOBODY
 ) -> list[tuple[Literal, int]]:
     """Conditions with their positions: the delta first, tests as soon as they are bound, then the most bound."""
+    if len(body) == 1:
+        return [(body[0], 0)]
     waiting = list(enumerate(body))
     ordered: list[tuple[Literal, int]] = []
     bound = set(known)

@@ -5,7 +5,7 @@ from earlier rounds: that is all that `kb.reasons.why` needs to rebuild a well-f
 is the least height of a proof.
 
 Small programs are evaluated on Python rows; a program of plain rules that has, or comes to have, ``COLUMNS_FROM`` rows
-goes to numpy columns (`kb.bottom_up.columnar`).
+and several for each rule goes to numpy columns (`kb.bottom_up.columnar`).
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from casper.kb.relations.relation import Relation
 from casper.kb.terms.clauses import Indicator
 
 COLUMNS_FROM = 2_000
+MANY_RULES = 500  # from which it takes more rows: few for each rule are not worth a join on columns
 
 
 def materialise(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator, Relation]:
@@ -27,9 +28,10 @@ def materialise(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator,
         BudgetExceeded: more than ``most_rows`` rows were derived.
     """
     stored = [indicator for stratum in program.strata for indicator in stratum]
-    if sum(len(program.given[i]) for i in stored) < COLUMNS_FROM:
+    columns_from = COLUMNS_FROM * max(1, sum(len(program.rules[i]) for i in stored) // MANY_RULES)
+    if sum(len(program.given[i]) for i in stored) < columns_from:
         try:
-            return row_fixpoint(program, min(COLUMNS_FROM, most_rows))
+            return row_fixpoint(program, min(columns_from, most_rows))
         except BudgetExceeded:
             pass  # few facts can have many consequences: then it was a large program after all
     from casper.kb.bottom_up.columnar_fixpoint import columnar_fixpoint  # numpy is loaded for large programs only

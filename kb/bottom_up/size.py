@@ -2,18 +2,37 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sized
+from dataclasses import dataclass
+
 from casper.kb.errors import BudgetExceeded
 from casper.kb.terms.clauses import Indicator
 
 MOST_ROWS = 20_000_000
 
 
-def check_size(sizes: dict[Indicator, int], most_rows: int) -> None:
-    """Refuse a program that derives without end before it eats the memory.
+@dataclass
+class Room:
+    """Counts rows as they come, so that a program that derives without end is refused before it eats the memory.
 
-    Raises:
-        BudgetExceeded: there are more rows than that; the sentence names the largest predicate.
+    Args:
+        most_rows: how many there may be.
+        relations: what they go to.
     """
-    if sum(sizes.values()) > most_rows:
-        name, arity = max(sizes, key=lambda indicator: sizes[indicator])
-        raise BudgetExceeded(f"there are more than {most_rows} facts; {name}/{arity} has most of them")
+
+    most_rows: int
+    relations: Mapping[Indicator, Sized]
+
+    def __post_init__(self) -> None:
+        self.taken = sum(map(len, self.relations.values()))
+
+    def take(self, new: int) -> None:
+        """Count some new rows.
+
+        Raises:
+            BudgetExceeded: there are more rows than that; the sentence names the largest predicate.
+        """
+        self.taken += new
+        if self.taken > self.most_rows:
+            name, arity = max(self.relations, key=lambda indicator: len(self.relations[indicator]))
+            raise BudgetExceeded(f"there are more than {self.most_rows} facts; {name}/{arity} has most of them")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from casper.kb.program.strata import dependents
+from casper.kb.program.strata import circular
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Variable
 from casper.kb.terms.unification import is_ground, variables_of
@@ -13,9 +13,8 @@ from casper.kb.terms.unification import is_ground, variables_of
 def unlisted(table: Mapping[Indicator, tuple[Clause, ...]]) -> set[Indicator]:
     """Predicates whose rows cannot all be listed: an unbound head variable, or recursion that builds terms."""
     found = {i for i, clauses in table.items() if not all(is_range_restricted(c) for c in clauses)}
-    for indicator, clauses in table.items():
-        builds = any(_builds(c.head) or any(_computes(x) for x in c.body) for c in clauses)
-        if builds and indicator in dependents(table, {indicator}):
+    for indicator in circular(table):
+        if any(_builds(c.head) or any(_computes(x) for x in c.body) for c in table[indicator]):
             found.add(indicator)
     return found
 

@@ -17,10 +17,11 @@ from casper.kb.program.refusals import check_bound, check_defined, check_own, ch
 from casper.kb.program.strata import dependents, levels_of
 from casper.kb.relations.relation import Row
 from casper.kb.terms.clauses import DID, NOWHERE, SYSTEM, Clause, Indicator
+from casper.kb.terms.origins import Origin, clause_behind
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import is_ground
 
-Given: TypeAlias = dict[Row, Clause | None]
+Given: TypeAlias = dict[Row, Origin]
 
 
 @dataclass(frozen=True)
@@ -28,8 +29,8 @@ class Program:
     """Clauses by predicate, in the author's order, with the analysis that evaluation needs.
 
     ``rules`` are the clauses that are more than a ground fact; ``given`` the rows of the ground facts, with the clause
-    behind each (None: loaded in bulk); ``clauses`` what resolution needs: the rules, and of a predicate that is
-    answered top-down its facts too. All three have every defined predicate as a key.
+    or block behind each (None: loaded in bulk); ``clauses`` what resolution needs: the rules, and of a predicate that
+    is answered top-down its facts too. All three have every defined predicate as a key.
     """
 
     clauses: Mapping[Indicator, tuple[Clause, ...]]
@@ -55,7 +56,7 @@ def analyse(
     Args:
         clauses: facts, rules and constraints.
         dynamic: predicates that are defined even without a clause.
-        bulk: rows of ground facts that no clause stands for.
+        bulk: rows of ground facts that no clause stands for; of a mapping the values are what is behind each.
 
     Raises:
         ProgramError: an undefined predicate, a redefined system predicate, a constraint without a sentence,
@@ -72,7 +73,7 @@ def analyse(
             continue
         check_own(clause.head.indicator, clause.place)
         predicates.setdefault(clause.head.indicator, []).append(clause)
-    given: dict[Indicator, Given] = {i: dict.fromkeys(rows) for i, rows in (bulk or {}).items()}
+    given: dict[Indicator, Given] = {i: _with_origins(rows) for i, rows in (bulk or {}).items()}
     for indicator in given:
         check_own(indicator, NOWHERE)
         predicates.setdefault(indicator, [])
@@ -90,9 +91,14 @@ def analyse(
     strata, situational, top_down = _split(rules)
     resolved = dict(rules)
     for indicator in top_down:
-        loaded = (Clause(Compound((indicator[0], *row))) for row, clause in given[indicator].items() if clause is None)
-        resolved[indicator] = (*table[indicator], *loaded)
+        rows = given[indicator]
+        loaded = (Compound((indicator[0], *row)) for row, behind in rows.items() if not isinstance(behind, Clause))
+        resolved[indicator] = (*table[indicator], *(clause_behind(head, rows[head.args]) for head in loaded))
     return Program(resolved, rules, given, tuple(constraints), strata, situational, top_down)
+
+
+def _with_origins(rows: Iterable[Row]) -> Given:
+    return dict(rows) if isinstance(rows, Mapping) else dict.fromkeys(rows)
 
 
 def is_given(clause: Clause) -> bool:
@@ -108,6 +114,9 @@ def _split(
     situational = dependents(rules, set(SYSTEM))
     top_down = situational | unlisted(rules)
     top_down = dependents(rules, top_down) | top_down
-    heights = sorted({level for indicator, level in levels.items() if indicator not in top_down})
-    strata = tuple(frozenset(i for i, at in levels.items() if at == h and i not in top_down) for h in heights)
+    by_level: dict[int, list[Indicator]] = {}
+    for indicator, level in levels.items():
+        if indicator not in top_down:
+            by_level.setdefault(level, []).append(indicator)
+    strata = tuple(frozenset(by_level[level]) for level in sorted(by_level))
     return strata, frozenset(situational), frozenset(top_down)

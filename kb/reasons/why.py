@@ -9,11 +9,12 @@ from typing import TypeAlias
 from casper.kb.reasons.proof import Proof
 from casper.kb.relations.relation import Columns, Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator, Literal
+from casper.kb.terms.origins import Origin, clause_behind
 from casper.kb.terms.terms import Compound, predication
 from casper.kb.terms.unification import substitute, unify
 from casper.kb.top_down.solve import Solver
 
-Given: TypeAlias = Mapping[Indicator, Mapping[Row, Clause | None]]  # base facts, with the clause behind each
+Given: TypeAlias = Mapping[Indicator, Mapping[Row, Origin]]  # base facts, with the clause behind each
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +83,7 @@ def _step(
     """The fact or the first rule behind a stored row, with the instance of its body that gives it."""
     facts = given.get(atom.indicator, {})
     if atom.args in facts:
-        return facts[atom.args] or Clause(atom), ()
+        return clause_behind(atom, facts[atom.args]), ()
     round_ = relations[atom.indicator].round_of(atom.args)
     for clause in solver.clauses[atom.indicator]:
         needed = {x.atom.indicator for x in clause.body if not x.is_comparison}

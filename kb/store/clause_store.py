@@ -13,13 +13,15 @@ from casper.kb.errors import ProgramError
 from casper.kb.program.refusals import undefined_sentence
 from casper.kb.reasons.validity import History, valid_instances, with_history
 from casper.kb.relations.relation import Relation, Row
+from casper.kb.store.loading import loading
 from casper.kb.store.model import Model
 from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence
+from casper.kb.terms.origins import FactBlock, Origin, clause_behind
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import is_ground, unify
 from casper.kb.text.lines import text_of
-from casper.kb.text.reader import read_statement, read_text
+from casper.kb.text.reader import read_blocks, read_statement, read_text
 from casper.kb.text.writer import MOST_SHOWN, indicators_text, program_lines, program_text
 from casper.kb.top_down.solve import DEFAULT_BUDGET, Computed, Solver
 
@@ -51,7 +53,7 @@ class ClauseStore:
 
     def __init__(self, clauses: Iterable[Clause] = (), dynamic: Iterable[Indicator] = ()) -> None:
         self._clauses: dict[Clause, None] = dict.fromkeys(clauses)  # in the author's order, each once
-        self._bulk: dict[Indicator, dict[Row, None]] = {}
+        self._bulk: dict[Indicator, dict[Row, Origin]] = {}
         self._dynamic: set[Indicator] = set(dynamic)
         self._statements: dict[Indicator, None] = {}
         self._cached: Model | None = None
@@ -74,8 +76,12 @@ class ClauseStore:
             ReadError, ProgramError: with the place of the first mistake.
         """
         base = cls()
-        base.add(read_text(text, file))
-        base.compile()
+        with loading():
+            sentences, blocks = read_blocks(text, file)
+            base.add(sentences)
+            for block in blocks:
+                base._load(block.indicator, block.rows, block)
+            base.compile()
         return base
 
     def add(self, sentences: Iterable[Sentence]) -> None:
@@ -127,7 +133,7 @@ class ClauseStore:
     def clauses(self) -> Sequence[Clause]:
         """Every clause, in the author's order, then the facts that were loaded in bulk."""
         with self.lock:
-            loaded = (Clause(Compound((name, *row))) for (name, _), rows in self._bulk.items() for row in rows)
+            loaded = (_stated(i, row, behind) for i, rows in self._bulk.items() for row, behind in rows.items())
             return (*self._clauses, *loaded)
 
     def to_text(self) -> str:
@@ -213,9 +219,15 @@ class ClauseStore:
         if any(type(value) is Variable for row in loaded for value in row):
             raise ProgramError(f"a row of {name} has a variable; only constants can be loaded")
         if arities:
-            with self._changing():
-                self._loaded((name, arities.pop())).update(dict.fromkeys(loaded))
-                self._forget()
+            self._load((name, arities.pop()), loaded, None)
+
+    def _load(self, indicator: Indicator, rows: Iterable[Row], origin: Origin) -> None:
+        with self._changing():
+            new: dict[Row, Origin] = dict.fromkeys(rows, origin)
+            new.update(self._bulk.get(indicator, {}))
+            self._bulk[indicator] = new
+            self._shared.discard(indicator)
+            self._forget()
 
     # --- other threads, other processes ----------------------------------------------------------------------------
 
@@ -264,7 +276,7 @@ class ClauseStore:
         if self._cached is not None:
             self._cached = self._cached.apart(self._computed)
 
-    def _loaded(self, indicator: Indicator) -> dict[Row, None]:
+    def _loaded(self, indicator: Indicator) -> dict[Row, Origin]:
         """The bulk rows of a predicate, to be changed."""
         if indicator in self._shared:
             self._shared.discard(indicator)
@@ -274,7 +286,7 @@ class ClauseStore:
     def __reduce__(self) -> tuple[Any, ...]:
         """By what was stated: what follows is worked out anew where it arrives. A snapshot arrives as a base."""
         with self.lock:
-            bulk = {indicator: tuple(rows) for indicator, rows in self._bulk.items()}
+            bulk = {i: {row: _kept(i, row, origin) for row, origin in rows.items()} for i, rows in self._bulk.items()}
             return _restated, (type(self), tuple(self._clauses), bulk, tuple(self._dynamic), tuple(self._statements))
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
@@ -291,7 +303,7 @@ class ClauseStore:
         model = self._model
         if not model.keeps(indicator):
             return model.program.clauses.get(indicator, ())
-        facts = (clause or Clause(Compound((indicator[0], *row))) for row, clause in model.given[indicator].items())
+        facts = (_stated(indicator, row, behind) for row, behind in model.given[indicator].items())
         return (*facts, *model.program.rules[indicator])
 
     def defines(self, name: str, arity: int) -> bool:
@@ -396,15 +408,26 @@ def _frozen() -> None:
 def _restated(
     kind: type[S],
     clauses: Iterable[Clause],
-    bulk: Mapping[Indicator, Iterable[Row]],
+    bulk: Mapping[Indicator, Mapping[Row, Origin]],
     dynamic: Iterable[Indicator],
     statements: Iterable[Indicator],
 ) -> S:
     """A knowledge base of what was stated."""
     base = kind()
     base._clauses, base._dynamic, base._statements = dict.fromkeys(clauses), set(dynamic), dict.fromkeys(statements)
-    base._bulk = {indicator: dict.fromkeys(rows) for indicator, rows in bulk.items()}
+    base._bulk = {indicator: dict(rows) for indicator, rows in bulk.items()}
     return base
+
+
+
+def _kept(indicator: Indicator, row: Row, origin: Origin) -> Origin:
+    """Where a row comes from, as it travels: a clause with its place instead of the text that it stands in."""
+    return _stated(indicator, row, origin) if isinstance(origin, FactBlock) else origin
+
+
+def _stated(indicator: Indicator, row: Row, origin: Origin) -> Clause:
+    """The fact that states a row."""
+    return clause_behind(Compound((indicator[0], *row)), origin)
 
 
 def _dynamic(directive: Directive) -> Indicator:

@@ -15,6 +15,7 @@ from casper.kb.reasons.validity import Constraints, constraints_of
 from casper.kb.relations.layered import LayeredRelation
 from casper.kb.relations.relation import Relation, Row, copied
 from casper.kb.terms.clauses import Clause, Indicator
+from casper.kb.terms.origins import Origin
 from casper.kb.top_down.solve import Computed, Solver
 
 MOST_EXACT = 50_000  # rows up to which proofs are of least height whatever happened
@@ -25,11 +26,11 @@ MOST_LAYERS = 8  # laid over one another before their rows are put together agai
 class Model:
     """What is worked out of the clauses once, and kept in step afterwards.
 
-    ``given`` are the base facts: for each stored predicate its rows, with the clause behind each (None: bulk).
+    ``given`` are the base facts: for each stored predicate its rows, with what is behind each (None: loaded in bulk).
     """
 
     program: Program
-    given: Mapping[Indicator, MutableMapping[Row, Clause | None]]
+    given: Mapping[Indicator, MutableMapping[Row, Origin]]
     relations: MutableMapping[Indicator, Relation]
     computed: Mapping[Indicator, Computed]
     maintenance: Maintenance
@@ -42,7 +43,7 @@ class Model:
         cls,
         clauses: Iterable[Clause],
         dynamic: Iterable[Indicator],
-        bulk: Mapping[Indicator, Iterable[Row]],
+        bulk: Mapping[Indicator, dict[Row, Origin]],
         computed: Mapping[Indicator, Computed],
     ) -> Model:
         """Analyse and materialise.
@@ -78,7 +79,7 @@ class Model:
         """Whether facts of the predicate can come and go without a new analysis."""
         return indicator in self.relations
 
-    def change(self, indicator: Indicator, row: Row, clause: Clause | None, *, add: bool) -> bool:
+    def change(self, indicator: Indicator, row: Row, clause: Origin, *, add: bool) -> bool:
         """Give or take back a base fact and bring the rows in step; False when it changes nothing."""
         given = self.given[indicator]
         if (row in given) == add:
@@ -112,7 +113,7 @@ class Model:
         """The same model to be changed while somebody goes on reading this one."""
         if self.layers < MOST_LAYERS:
             return self.layer(computed)
-        given: dict[Indicator, MutableMapping[Row, Clause | None]] = {i: dict(self.given[i]) for i in self.given}
+        given: dict[Indicator, MutableMapping[Row, Origin]] = {i: dict(self.given[i]) for i in self.given}
         relations = {i: copied(self.relations[i]) for i in self.relations}
         return Model(self.program, given, relations, computed, self.maintenance, self.changed, self.round)
 
@@ -148,25 +149,25 @@ class _Layers(dict):  # type: ignore[type-arg]
         return [self[key] for key in self]
 
 
-class _GivenLayer(MutableMapping[Row, "Clause | None"]):
+class _GivenLayer(MutableMapping[Row, "Origin"]):
     """Base facts laid over others."""
 
-    def __init__(self, below: Mapping[Row, Clause | None]) -> None:
+    def __init__(self, below: Mapping[Row, Origin]) -> None:
         self.below = below
-        self.above: dict[Row, Clause | None] = {}
+        self.above: dict[Row, Origin] = {}
         self.gone: set[Row] = set()
 
     def __contains__(self, row: object) -> bool:
         return row in self.above or (row in self.below and row not in self.gone)
 
-    def __getitem__(self, row: Row) -> Clause | None:
+    def __getitem__(self, row: Row) -> Origin:
         if row in self.above:
             return self.above[row]
         if row in self.gone:
             raise KeyError(row)
         return self.below[row]
 
-    def __setitem__(self, row: Row, clause: Clause | None) -> None:
+    def __setitem__(self, row: Row, clause: Origin) -> None:
         self.above[row] = clause
 
     def __delitem__(self, row: Row) -> None:

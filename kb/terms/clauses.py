@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from casper.kb.errors import Place
-from casper.kb.terms.syntax import COMPARISONS, term_text
+from casper.kb.terms.syntax import COMPARISONS, statement_text, term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term
 from casper.kb.terms.unification import variables_of
 
@@ -41,7 +41,7 @@ class Literal:
         return list(variables_of(self.atom))
 
     def __str__(self) -> str:
-        text = term_text(as_term(self.atom), 700 if self.is_comparison else 999)
+        text = term_text(self.atom, 700) if self.is_comparison else statement_text(self.atom)
         return f"\\+ {text}" if self.negated else text
 
 
@@ -63,7 +63,7 @@ class Clause:
         return variables_of(self.head, *(literal.atom for literal in self.body))
 
     def __str__(self) -> str:
-        head = term_text(as_term(self.head))
+        head = statement_text(self.head)
         return f"{head} :- {', '.join(map(str, self.body))}." if self.body else f"{head}."
 
 
@@ -79,7 +79,7 @@ class Production:
     place: Place = field(default=NOWHERE, compare=False)
 
     def __str__(self) -> str:
-        return f"{term_text(as_term(self.head))} --> {term_text(self.body, 1200)}."
+        return f"{statement_text(self.head)} --> {term_text(self.body, 1199, sequences=True)}."
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +90,7 @@ class Directive:
     place: Place = field(default=NOWHERE, compare=False)
 
     def __str__(self) -> str:
-        return f":- {term_text(as_term(self.term))}."
+        return f":- {term_text(as_term(self.term), 1199)}."
 
 
 Sentence: TypeAlias = Clause | Production | Directive

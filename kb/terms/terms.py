@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
+from casper.kb.terms.atoms import NIL as NIL
 from casper.kb.terms.syntax import term_text
 
 Term: TypeAlias = Any  # str | int | float | Variable | Compound, and anything hashable that Python code brings along
@@ -108,9 +109,6 @@ def _as_compound(term: tuple[Term, ...]) -> Compound:
 def as_term(atom: Compound) -> Term:
     """The inverse of `predication`: a compound without arguments is the plain atom."""
     return atom if len(atom) > 1 else atom[0]
-
-
-NIL = "[]"
 
 
 def make_list(items: Iterable[Term], tail: Term = NIL) -> Term:

@@ -12,13 +12,12 @@ from dataclasses import dataclass, field
 
 from casper.kb.errors import Place, ReadError
 from casper.kb.terms.clauses import Sentence
-from casper.kb.text.reader import read_text
+from casper.kb.terms.operators import STANDARD, Operators
+from casper.kb.text.parsing.places import excerpt
+from casper.kb.text.parsing.tokens import OTHERS, STOP, WITHIN
+from casper.kb.text.reader import Told, read_text
 
-# The tokens within which a full stop ends nothing (grammar.lark), then the full stop, then anything else.
-_PIECE = re.compile(
-    r"""%[^\n]*|/\*.*?\*/|/\*.*|'(?:[^'\\\n]|\\[^\n]|'')*'|"(?:[^"\\\n]|\\[^\n]|"")*"|\d+\.\d+|(\.(?=\s|%|\Z))|.""",
-    re.DOTALL,
-)
+_PIECE = re.compile(rf"{WITHIN}|/\*[\s\S]*|{OTHERS}|({STOP})|[\s\S]")
 _BLOCK = 200  # clauses read at once, as long as all of them can be read
 _HEAD = re.compile(r"(?:\s|%[^\n]*\n|/\*.*?\*/)*([a-z][A-Za-z0-9_]*)", re.DOTALL)
 
@@ -32,38 +31,75 @@ class Recovered:
     half_read: set[str] = field(default_factory=set)
 
 
-def read_tolerantly(text: str, file: str = "<text>") -> Recovered:
-    """Read every clause that can be read; never raises."""
+def read_tolerantly(
+    text: str, file: str = "<text>", operators: Operators | None = None, told: Told | None = None
+) -> Recovered:
+    """Read every clause that can be read; never raises. The arguments are those of `read_text`."""
+    table = STANDARD.copy() if operators is None else operators
+    before, text = table.copy(), text.removeprefix("\ufeff")
     try:
-        return Recovered(read_text(text, file))
+        return Recovered(read_text(text, file, table, told))
     except ReadError as mistake:
         if mistake.place is None or "nested too deeply" in mistake.sentence:
             return Recovered(mistakes=[mistake])
-    found, pieces = Recovered(), list(_pieces(text))
-    for at in range(0, len(pieces), _BLOCK):
-        block = pieces[at : at + _BLOCK]
+    table.become(before)
+    reading = _Reading(text, file, table, told)
+    reading.all()
+    return reading.found
+
+
+@dataclass
+class _Reading:
+    """The reading of a text piece by piece; the arguments are those of `read_text`."""
+
+    text: str
+    file: str
+    operators: Operators
+    told: Told | None
+    found: Recovered = field(default_factory=Recovered)
+
+    def all(self) -> None:
+        """Read block by block; a block with a mistake clause by clause."""
+        pieces = list(_pieces(self.text))
+        for at in range(0, len(pieces), _BLOCK):
+            block = pieces[at : at + _BLOCK]
+            before = self.operators.copy()
+            try:
+                self.found.sentences.extend(self.part(block[0][0], block[-1][1]))
+            except ReadError:
+                self.operators.become(before)
+                for start, end in block:
+                    self.piece(start, end)
+
+    def part(self, start: int, end: int) -> list[Sentence]:
+        """What stands in a part of the text.
+
+        Raises:
+            ReadError: as `read_text`.
+        """
+        return read_text(_alone(self.text, start, end), self.file, self.operators, self.told)
+
+    def piece(self, start: int, end: int) -> None:
+        """Read one clause; where its full stop is missing, what follows it as well."""
+        at: int | None = start
+        while at is not None:
+            begin, at = at, None
+            try:
+                self.found.sentences.extend(self.part(begin, end))
+            except ReadError as mistake:
+                at = _missing_stop(self.text, begin, end, mistake)
+                if at is not None:
+                    self.found.sentences.extend(self.head(begin, at))
+                elif (head := _HEAD.match(self.text, begin, end)) is not None:
+                    self.found.half_read.add(head[1])
+                self.found.mistakes.append(_shown(mistake, self.text))
+
+    def head(self, start: int, cut: int) -> list[Sentence]:
+        """The clause before a missing full stop, read as if it were there."""
         try:
-            found.sentences.extend(read_text(_alone(text, block[0][0], block[-1][1]), file))
+            return read_text(f"{_alone(self.text, start, cut)}\n.", self.file, self.operators, self.told)
         except ReadError:
-            for start, end in block:
-                _read_piece(text, start, end, file, found)
-    return found
-
-
-def _read_piece(text: str, start: int, end: int, file: str, found: Recovered) -> None:
-    """Read one clause; where its full stop is missing, what follows it as well."""
-    at: int | None = start
-    while at is not None:
-        begin, at = at, None
-        try:
-            found.sentences.extend(read_text(_alone(text, begin, end), file))
-        except ReadError as mistake:
-            at = _missing_stop(text, begin, end, mistake)
-            if at is not None:
-                found.sentences.extend(_head_of(text, begin, at, file))
-            elif (head := _HEAD.match(text, begin, end)) is not None:
-                found.half_read.add(head[1])
-            found.mistakes.append(_shown(mistake, text))
+            return []
 
 
 def _pieces(text: str) -> Iterator[tuple[int, int]]:
@@ -95,14 +131,6 @@ def _missing_stop(text: str, start: int, end: int, mistake: ReadError) -> int | 
     return at if start < at < end else None
 
 
-def _head_of(text: str, start: int, cut: int, file: str) -> list[Sentence]:
-    """The clause before a missing full stop, read as if it were there."""
-    try:
-        return read_text(f"{_alone(text, start, cut)}\n.", file)
-    except ReadError:
-        return []
-
-
 def _offset(text: str, line: int) -> int:
     at = 0
     for _ in range(line - 1):
@@ -113,6 +141,4 @@ def _offset(text: str, line: int) -> int:
 def _shown(mistake: ReadError, text: str) -> ReadError:
     """The mistake with its whole line under it: the piece was read without what stands before it."""
     place = mistake.place or Place()
-    lines = text.split("\n")
-    line = "".join(c if c.isprintable() else " " for c in lines[min(place.line, len(lines)) - 1])
-    return ReadError(mistake.sentence, place, f"    {line}\n    {' ' * (place.column - 1)}^")
+    return ReadError(mistake.sentence, place, excerpt(text, place.line, place.column))

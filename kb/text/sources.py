@@ -1,9 +1,10 @@
 """Texts made of several files: ``:- include("other.pl").`` and ``:- use("folder", as(prefix)).``
 
-``include`` reads another file as if it stood here; a file is read once, however often it is included. ``use`` makes
-the predicates of another text available under a prefix (`namespace`): of a file, or of a folder's ontology.pl. Both
-names are relative to the file that has the line. Only regular files are read, up to a size each and together, and of
-a file outside the domain's folder and the shipped ones no mistake shows any text: a domain may come from anybody.
+``include`` reads another file as if it stood here, with the operators in force there; what it declares is in force
+after the line. A file is read once, however often it is included. ``use`` makes the predicates of another text
+available under a prefix (`namespace`): of a file, or of a folder's ontology.pl; its operators are its own. Both names
+are relative to the file that has the line. Only regular files are read, up to a size each and together, and of a file
+outside the domain's folder and the shipped ones no mistake shows any text: a domain may come from anybody.
 """
 
 from __future__ import annotations
@@ -16,13 +17,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NoReturn
 
-from casper.kb.errors import CasperError, DomainError, ProgramError, ReadError
+from casper.kb.errors import CasperError, DomainError, Place, ProgramError, ReadError
 from casper.kb.terms.clauses import Directive, Sentence
+from casper.kb.terms.operators import STANDARD, Operators
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.files import is_there, is_within, oddity, read_bytes, real
 from casper.kb.text.namespace import prefixed
-from casper.kb.text.reader import read_file
+from casper.kb.text.reader import Told, read_file
 
 MAIN = "ontology.pl"  # what is used of a folder
 MOST_ALTOGETHER = 256 * 2**20  # bytes of all files of a domain
@@ -35,24 +37,35 @@ def _refuse(mistake: CasperError) -> NoReturn:
 
 
 @dataclass
+class _Inserted:
+    """What an include stands for, and the operators in force after it."""
+
+    operators: Operators
+    sentences: list[Sentence] = field(default_factory=list)
+    mistake: CasperError | None = None
+
+
+@dataclass
 class Sources:
     """Reads files with what they include and use.
 
     Args:
         roots: folders in which ``use`` looks for what is not beside the file: the shipped domains.
-        read: how one file is read.
+        read: how one file is read, with the operators in force, and told of each directive as it is reached.
         mistake: what happens to a mistake; by default it is raised, ``casper check`` collects them.
 
     ``files`` are all the files that were read so far, in order.
     """
 
     roots: Sequence[Path] = ()
-    read: Callable[[Path], list[Sentence]] = read_file
+    read: Callable[[Path, Operators, Told], list[Sentence]] = read_file
     mistake: Callable[[CasperError], None] = _refuse
     files: list[Path] = field(default_factory=list)
     _open: list[Path] = field(default_factory=list)  # the files whose reading is under way, outermost first
     _read: set[Path] = field(default_factory=set)
     _prefixes: dict[str, Path] = field(default_factory=dict)
+    _operators: Operators = field(default_factory=STANDARD.copy)  # in force where the reading is
+    _inserted: dict[Place, _Inserted] = field(default_factory=dict)  # what stands for each include
     _sizes: dict[Path, int] = field(default_factory=dict)  # bytes of what was read, by anybody
 
     def sentences(self, file: Path) -> list[Sentence]:
@@ -63,6 +76,11 @@ class Sources:
             ProgramError: with the place of the line, when a file is missing or no regular one, contains itself, is
                 one too many, or a prefix is taken.
         """
+        self._operators = STANDARD.copy()
+        return self._sentences(file)
+
+    def _sentences(self, file: Path) -> list[Sentence]:
+        """As `sentences`, with the operators in force."""
         known = real(file)
         if known in self._read:
             return []
@@ -77,6 +95,27 @@ class Sources:
         finally:
             self._open.pop()
 
+    def _insert(self, directive: Directive, folder: Path) -> None:
+        """Read what is included as soon as the line is reached: what it declares is in force from there on.
+
+        A line may be reached again where the reader starts anew after a mistake.
+        """
+        if directive.term.indicator != _INCLUDE:
+            return
+        found = self._inserted.get(directive.place)
+        if found is not None:
+            self._operators.become(found.operators)
+            return
+        found = self._inserted[directive.place] = _Inserted(self._operators)
+        try:
+            found.sentences = self._sentences(self._included(directive, folder))
+        except CasperError as mistake:
+            try:
+                self.mistake(mistake)
+            except CasperError as raised:
+                found.mistake = raised
+        found.operators = self._operators.copy()
+
     def is_foreign(self, file: Path) -> bool:
         """Whether a file lies outside the folder of what is being read, and outside the roots."""
         return not is_within(file, (self._open[0].parent, *self.roots))
@@ -84,7 +123,7 @@ class Sources:
     def _content(self, file: Path) -> list[Sentence]:
         self._check_size(file)
         try:
-            return self.read(file)
+            return self.read(file, self._operators, lambda directive: self._insert(directive, file.parent))
         except ReadError as mistake:
             raise _discreet(mistake) if self.is_foreign(file) else mistake from None
 
@@ -98,14 +137,17 @@ class Sources:
     def _expanded(self, sentence: Sentence, folder: Path) -> Iterator[Sentence]:
         if not (isinstance(sentence, Directive) and sentence.term.indicator in (_INCLUDE, _USE)):
             yield sentence
-            return
-        try:
-            if sentence.term.indicator == _INCLUDE:
-                yield from self.sentences(self._included(sentence, folder))
-            else:
+        elif sentence.term.indicator == _INCLUDE:
+            self._insert(sentence, folder)  # a reader of the caller's own may have told nothing
+            found = self._inserted[sentence.place]
+            if found.mistake is not None:
+                raise found.mistake
+            yield from found.sentences
+        else:
+            try:
                 yield from self._used(sentence, folder)
-        except CasperError as mistake:
-            self.mistake(mistake)
+            except CasperError as mistake:
+                self.mistake(mistake)
 
     def _included(self, directive: Directive, folder: Path) -> Path:
         file = folder / _name(directive)

@@ -259,5 +259,5 @@ def _together(ways: Sequence[Way], before: Bindings, serial: int) -> Ways:
 def _check_action(term: Compound, place: Place) -> None:
     named = term.functor[:1].isalpha() or term.functor[:1] == "_"
     if not named or Condition(term).is_comparison:
-        shown = term_text(renamed([as_term(term)], 0)[0])
+        shown = term_text(renamed([as_term(term)], 0)[0], sequences=True)
         raise PlanError(f"{shown} cannot stand in a plan: {_ONLY_NAMES}", place)

@@ -37,7 +37,8 @@ def _labelled(term: Compound, place: Place) -> tuple[dict[Term, Term], list[tupl
     items: dict[Term, Term] = {}
     for entry in lists[0][0]:
         if not (isinstance(entry, Compound) and entry.indicator == (":", 2)):
-            raise PlanError(f"{term_text(entry)} has no label: write it as name: {term_text(entry)}", place)
+            shown = term_text(entry, sequences=True)
+            raise PlanError(f"{shown} has no label: write it as name: {shown}", place)
         if entry[1] in items:
             raise PlanError(f"two steps are labelled {term_text(entry[1])}", place)
         items[entry[1]] = entry[2]
@@ -66,7 +67,7 @@ def _repeat(term: Compound, place: Place) -> Iterator[Items]:
     """As often as must be, and then once more, and once more, as long as it may be."""
     *item, least, most = term.args if term.arity == 3 else (None, None, None)
     if type(least) is not int or type(most) is not int or not 0 <= least <= most or most == 0:
-        shown = term_text(renamed([term], 0)[0])
+        shown = term_text(renamed([term], 0)[0], sequences=True)
         raise PlanError(f"{shown}: repeat takes an item and two whole numbers: repeat(stir, 1, 3)", place)
     if most > MOST_TIMES:
         raise PlanError(f"repeat does an item at most {MOST_TIMES} times, not {most}", place)

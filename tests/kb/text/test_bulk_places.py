@@ -2,7 +2,7 @@
 
 import pytest
 
-from casper.kb.text.bulk_reader import read_large
+from casper.kb.text.bulk.reader import read_large
 
 
 def refuse(text):

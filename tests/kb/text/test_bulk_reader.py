@@ -11,7 +11,7 @@ from casper.kb.errors import ReadError
 from casper.kb.terms.clauses import Clause, Production
 from casper.kb.terms.terms import Compound, Variable
 from casper.kb.text import reader
-from casper.kb.text.bulk_reader import read_large
+from casper.kb.text.bulk.reader import read_large
 
 facts = st.sampled_from(["p(a).", "q( b ,12 ).", "r(a,b,c_1).  % done.", "p(1e5).", "p(1.5).", "p(is).", "q(a,\n  b).", "p(007)."])
 
@@ -91,7 +91,7 @@ def typed(term):
 
 
 def read_fast(text, file):
-    return read_large(text, file, lambda part: reader._read_by_grammar(part, file))
+    return read_large(text, file, lambda part: reader.read_plainly(part, file))
 
 
 def refuse(text):
@@ -105,7 +105,7 @@ def test_a_large_text_is_read_as_the_grammar_reads_it(text):
         fast = outcome(reader.read_text, text)
     finally:
         reader.LARGE = before
-    assert fast == outcome(reader._read_by_grammar, text)
+    assert fast == outcome(reader.read_plainly, text)
 
 
 @given(mixed())
@@ -113,7 +113,7 @@ def test_a_large_text_is_read_as_the_grammar_reads_it(text):
 @example("p(a, \u0663, _) --> q(1, 9\u0663).")
 @example("goal(_) :- b(_,\n _), \u2003c(is).")
 def test_productions_facts_and_rules_are_read_as_the_grammar_reads_them(text):
-    assert outcome(read_fast, text) == outcome(reader._read_by_grammar, text)
+    assert outcome(read_fast, text) == outcome(reader.read_plainly, text)
 
 
 @given(mixed(st.sampled_from(MISTAKES)))
@@ -123,7 +123,7 @@ def test_productions_facts_and_rules_are_read_as_the_grammar_reads_them(text):
 @example("p(X, [a]).\np(a).\nX --> a.\na(b c).\n")
 @example("p(a).\n'a'.\nq(X) :- r(X\n\n% the end\n")
 def test_a_mistake_is_told_as_the_grammar_tells_it(text):
-    assert outcome(read_fast, text) == outcome(reader._read_by_grammar, text)
+    assert outcome(read_fast, text) == outcome(reader.read_plainly, text)
 
 
 @pytest.mark.parametrize(
@@ -148,7 +148,7 @@ def test_sentences_that_are_not_plain_go_to_the_grammar_together_however_they_ar
 
     def parse(part):
         asked.append(part)
-        return reader._read_by_grammar(part, "f.pl")
+        return reader.read_plainly(part, "f.pl")
 
     text = "g(X) --> a(X).\ngoal(g(X)) :- f(X) ; \\+ h(X).\n" * 300
     assert len(read_large(text, "f.pl", parse)) == 900
@@ -160,7 +160,7 @@ def test_a_mistake_in_a_large_library_does_not_make_the_grammar_read_the_plain_s
 
     def parse(part):
         asked.append(part)
-        return reader._read_by_grammar(part, "f.pl")
+        return reader.read_plainly(part, "f.pl")
 
     with pytest.raises(ReadError, match=r"f.pl:301:10"):
         read_large("g(X) --> a(X).\n" * 300 + "g(X) --> , b.  % a comment\n" + "g(X) --> a(X).\n" * 300, "f.pl", parse)

@@ -268,7 +268,7 @@ def test_a_mistake_outside_the_folder_shows_its_place_and_no_text(tmp_path, secr
 def test_a_mistake_in_the_folder_and_in_a_shipped_text_shows_the_line(tmp_path):
     text = "p(a).\nq q.\n"
     main = written(tmp_path, main=':- include("deep/a.pl").', deep__a=text)
-    assert told(main).endswith("2:3: 'q' does not belong here; expected a full stop or '('\n    q q.\n      ^")
+    assert told(main).endswith("2:3: 'q' does not belong here; expected a full stop\n    q q.\n      ^")
     (tmp_path / "home").mkdir()
     (tmp_path / "home" / "main.pl").write_text(':- use("deep/a.pl", as(a)).')
     assert "    q q.\n" in told(tmp_path / "home" / "main.pl", [tmp_path])

@@ -1,8 +1,8 @@
-"""Reading large texts: plain sentences by one regular expression, everything else by the grammar.
+"""Reading large texts: plain sentences by one regular expression, everything else by the parser.
 
 A knowledge base of 85,000 facts is mostly ``name(atom, 12).`` lines, a library of 10,000 goals ``name(X) --> one(X),
-two(X, cup).`` lines, for which a general parser is fifty times too slow. What the expression matches is exactly what
-the grammar would read; a mistake is told by the grammar, in its own words and place.
+two(X, cup).`` lines, for which a general parser is many times too slow. What the expression matches is exactly what
+the parser would read; a mistake is told by the parser, in its own words and place.
 """
 
 from __future__ import annotations
@@ -12,67 +12,80 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from typing import TypeAlias
 
-from casper.kb.errors import Place, ReadError
+from casper.kb.errors import ReadError
 from casper.kb.terms.clauses import Clause, Literal, Production, Sentence
 from casper.kb.terms.terms import Compound, predication
-from casper.kb.text.bulk_terms import TERM, TERMS, Terms, first_anonymous, numbered, part_matches, parts
+from casper.kb.text.bulk.facts import BlockReader
+from casper.kb.text.bulk.terms import TERM, TERMS, Terms, first_anonymous, numbered, part_matches, parts
+from casper.kb.text.parsing.places import Places
+from casper.kb.text.parsing.tokens import COMMENT, OTHERS, STOP, WITHIN
 
 Parse = Callable[[str], list[Sentence]]
 _Span: TypeAlias = tuple[int, int]
 
-_COMMENT = r"%[^\n]*+|/\*[^*]*+(?:\*(?!/)[^*]*+)*\*/"
-_BLANK = rf"(?:\s++|{_COMMENT})*"
+_BLANK = rf"(?:\s++|{COMMENT})*"
 _BLANKS = re.compile(_BLANK)
-_END = r"\.(?=\s|%|\Z)"
-_PLAIN = re.compile(rf"{_BLANK}({TERM})(?:\s*+(-->|:-)\s*+({TERMS}))?\s*+{_END}")
-# Up to the full stop of a sentence; a full stop within these tokens ends nothing (grammar.lark). No two of them can
-# begin alike, and each ends in one way only: where no full stop follows, the expression does not search for it long.
-_SENTENCE = re.compile(
-    rf"""(?:[^%/'".]++|{_COMMENT}|/(?!\*)|\.(?!\s|%|\Z)"""
-    rf"""|'(?:[^'\\\n]++|\\[^\n]|'')*'(?!')|"(?:[^"\\\n]++|\\[^\n]|"")*"(?!"))*{_END}"""
-)
-_MOST_SENTENCES = 400  # handed to the grammar at once
+_PLAIN = re.compile(rf"{_BLANK}({TERM})(?:\s*+(-->|:-)\s*+({TERMS}))?\s*+{STOP}")
+# Up to the full stop of a sentence; a full stop within these tokens ends nothing. Each ends in one way only: where no
+# full stop follows, the expression does not search for it long.
+_SENTENCE = re.compile(rf"(?:{WITHIN}|\w++|\s++|{OTHERS})*+{STOP}")
+_MOST_SENTENCES = 400  # handed to the parser at once
 
 
-def read_large(text: str, file: str, parse: Parse) -> list[Sentence]:
+def _as_it_was() -> None:
+    """Nothing to forget."""
+
+
+def read_large(
+    text: str,
+    file: str,
+    parse: Parse,
+    restart: Callable[[], None] = _as_it_was,
+    blocks: BlockReader | None = None,
+) -> list[Sentence]:
     """Every sentence of a large text, as ``parse(text)`` would give them.
 
     Args:
         text: what to read.
         file: its name, for places.
-        parse: the grammar's reader; it is given parts of the text, padded so that places come out right.
+        parse: reads any sentences; it is given parts of the text, padded so that places come out right.
+        restart: makes ``parse`` forget the operators it was told of, before it reads from the start again.
+        blocks: takes runs of facts, which are then no sentences; None: every fact is a clause.
 
     Raises:
-        ReadError: from the grammar, as for the text as a whole.
+        ReadError: from the parser, as for the text as a whole.
     """
-    plain, others = _told_apart(text, file)
+    plain, others = _told_apart(text, file, blocks)
     with suppress(ReadError):
         read = [sentence for part in _in_parts(text, others) for sentence in parse(part)]
         return sorted([*plain, *read], key=_line_and_column) if read else plain
-    return _with_mistake(text, others, parse)
+    restart()
+    return _with_mistake(text, others, parse, restart)
 
 
 def _line_and_column(sentence: Sentence) -> tuple[int, int]:
     return sentence.place.line, sentence.place.column
 
 
-def _told_apart(text: str, file: str) -> tuple[list[Sentence], list[_Span]]:
+def _told_apart(text: str, file: str, blocks: BlockReader | None) -> tuple[list[Sentence], list[_Span]]:
     """The plain sentences, read, and where the others stand, each with the blanks and comments behind it."""
     reader, match, at = _PlainReader(text, file), _PLAIN.match, 0
     plain: list[Sentence] = []
     others: list[_Span] = []
     while True:
         found = match(text, at)
-        if found is not None:
+        if found is not None and blocks is not None and (end := blocks.run(at)) is not None:
+            at = end
+        elif found is not None:
             plain.append(reader.sentence(found))
             at = found.end()
-            continue
-        begin = _blank_end(text, at)
-        if begin == len(text):
-            return plain, others
-        sentence = _SENTENCE.match(text, begin)
-        at = len(text) if sentence is None else _blank_end(text, sentence.end())
-        others.append((begin, at))
+        else:
+            begin = _blank_end(text, at)
+            if begin == len(text):
+                return plain, others
+            sentence = _SENTENCE.match(text, begin)
+            at = len(text) if sentence is None else _blank_end(text, sentence.end())
+            others.append((begin, at))
 
 
 def _blank_end(text: str, at: int) -> int:
@@ -84,8 +97,7 @@ class _PlainReader:
     """Makes sentences of what the expression for plain ones has found, one after the other."""
 
     def __init__(self, text: str, file: str) -> None:
-        self._text, self._file, self._terms = text, file, Terms()
-        self._seen, self._line, self._line_start = 0, 1, 0
+        self._text, self._terms, self._place = text, Terms(), Places(text, file).of
 
     def sentence(self, found: re.Match[str]) -> Sentence:
         place = self._place(found.start(1))
@@ -104,15 +116,6 @@ class _PlainReader:
         atoms = [predication(self._terms[item]) for item in parts(body)]
         return tuple(Literal(atom, False, place) for atom, place in zip(atoms, places))
 
-    def _place(self, at: int) -> Place:
-        """The place of an offset that is not before the last one asked for: nothing is counted twice."""
-        new_lines = self._text.count("\n", self._seen, at)
-        if new_lines:
-            self._line += new_lines
-            self._line_start = self._text.rfind("\n", self._seen, at) + 1
-        self._seen = at
-        return Place(self._file, self._line, at - self._line_start + 1)
-
 
 def _in_parts(text: str, spans: Sequence[_Span]) -> Iterator[str]:
     return (_alone(text, spans[at : at + _MOST_SENTENCES]) for at in range(0, len(spans), _MOST_SENTENCES))
@@ -128,10 +131,12 @@ def _alone(text: str, spans: Sequence[_Span]) -> str:
     return "".join(padded)
 
 
-def _with_mistake(text: str, others: Sequence[_Span], parse: Parse) -> list[Sentence]:
-    """Have the grammar tell the mistake: of the sentences that are not plain, for the others have none.
+def _with_mistake(
+    text: str, others: Sequence[_Span], parse: Parse, restart: Callable[[], None]
+) -> list[Sentence]:
+    """Have the parser tell the mistake: of the sentences that are not plain, for the others have none.
 
-    Only the line that is shown along with it can come out differently; then the grammar has to read the whole text.
+    Only the line that is shown along with it can come out differently; then the parser has to read the whole text.
     """
     alone = _alone(text, others)
     try:
@@ -140,4 +145,5 @@ def _with_mistake(text: str, others: Sequence[_Span], parse: Parse) -> list[Sent
         line = 0 if mistake.place is None else mistake.place.line
         if alone.split("\n")[line - 1 : line] == text.split("\n")[line - 1 : line]:
             raise
+    restart()
     return parse(text)

@@ -1,7 +1,7 @@
-"""Plain terms in large texts: told by an expression, and read without the grammar.
+"""Plain terms in large texts: told by an expression, and read without the parser.
 
 A plain term is ``name`` or ``name(arguments)``; an argument is a name, a variable, a whole number, or a term of these:
-``goal(tea(Cup, 2))``. It is read as the grammar reads it, ``is`` too: where a name is needed, that is one.
+``goal(tea(Cup, 2))``. It is read as the parser reads it, ``is`` too: where a name is needed, that is one.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Terms(dict[str, Term]):
 
     def __missing__(self, text: str) -> Term:
         if text < "A":  # digits stand before the capitals and ``_``, and those before the small letters
-            term: Term = int(text)
+            term: Term = float(text) if "." in text else int(text)
         elif text < "a":
             term = Variable(text)
         else:
@@ -63,6 +63,6 @@ class Terms(dict[str, Term]):
 
 
 def numbered(*texts: str) -> list[str]:
-    """The texts of one sentence, each ``_`` with the name that the grammar's reader gives it: ``_#1``, ``_#2`` …"""
+    """The texts of one sentence, each ``_`` with the name that the parser's reader gives it: ``_#1``, ``_#2`` …"""
     numbers = count(1)
     return [_ANONYMOUS.sub(lambda _: f"_#{next(numbers)}", text) for text in texts]
