@@ -75,7 +75,10 @@ class Proof:
         return graph
 
     def to_json(self) -> dict[str, Any]:
-        """``{"fact": text, "by": "fact"|"rule"|"test"|"absence"|"check", "place": text, "because": […]}``."""
+        """``{"fact": text, "by": "fact"|"rule"|"test"|"absence"|"check", "place": text, "because": […]}``.
+
+        A clause that cites something (``%: …``) has it under ``"cites"``.
+        """
         found: dict[int, dict[str, Any]] = {}
         for proof in self.premises_first():
             found[id(proof)] = {
@@ -83,7 +86,7 @@ class Proof:
                 "by": _kind(proof),
                 "place": _place(proof) or None,
                 "because": [found[id(premise)] for premise in proof.premises],
-            }
+            } | ({"cites": _citation(proof)} if _citation(proof) else {})
         return found[id(self)]
 
 
@@ -100,7 +103,7 @@ def _lines(proof: Proof) -> Iterator[str]:
 def _line(proof: Proof) -> str:
     notes = {"fact": "given", "rule": "", "test": "compared", "absence": "not known", "check": proof.remark}
     note = notes[_kind(proof)]
-    return _text(proof) + "".join(f"   [{part}]" for part in (note, _place(proof)) if part)
+    return _text(proof) + "".join(f"   [{part}]" for part in (note, _place(proof), _citation(proof)) if part)
 
 
 def _text(proof: Proof) -> str:
@@ -120,3 +123,7 @@ def _place(proof: Proof) -> str:
         return ""
     file = proof.clause.place.file.rsplit("/", 1)[-1]
     return f"{file}:{proof.clause.place.line}"
+
+
+def _citation(proof: Proof) -> str:
+    return "" if proof.clause is None else proof.clause.place.citation

@@ -19,6 +19,7 @@ from casper.kb.terms.clauses import Clause, Directive, Literal, Production, Sent
 from casper.kb.terms.terms import NIL, Compound, Term, Variable, make_list, predication
 from casper.kb.terms.unification import variables_of
 from casper.kb.text.bulk_reader import read_large
+from casper.kb.text.citations import MARK, with_citations
 from casper.kb.text.namespace import qualified
 
 LARGE = 20_000  # characters from which plain sentences are read by an expression of their own
@@ -43,8 +44,10 @@ def read_text(text: str, file: str = "<text>") -> list[Sentence]:
         ReadError: with file, line, column and a caret under the first thing that is not of the language.
     """
     if len(text) >= LARGE:
-        return read_large(text, file, lambda part: _read_by_grammar(part, file))
-    return _read_by_grammar(text, file)
+        sentences = read_large(text, file, lambda part: _read_by_grammar(part, file))
+    else:
+        sentences = _read_by_grammar(text, file)
+    return with_citations(sentences, text) if MARK in text else sentences
 
 
 def _read_by_grammar(text: str, file: str) -> list[Sentence]:

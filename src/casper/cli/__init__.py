@@ -12,6 +12,7 @@ import typer
 
 from casper.cli.check import check
 from casper.cli.explain import explain
+from casper.cli.import_ import import_
 from casper.cli.query import query
 from casper.cli.repl import repl
 from casper.cli.run import run
@@ -29,6 +30,7 @@ app = typer.Typer(
 )
 for command in (run, explain, verify, query, repl, watch, check, train):
     app.command()(command)
+app.command("import")(import_)
 
 
 def main() -> None:

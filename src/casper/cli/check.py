@@ -21,17 +21,23 @@ def check(domain: DomainName, as_json: AsJson = False) -> None:
 
     Exit code 0 without errors (there may be warnings and notes), 1 with errors, 2 when there is no such domain.
     """
-    from casper.cli.output import print_json
     from casper.engine.domain.check import check_domain
     from casper.kb.checks.finding import Severity
 
     findings = check_domain(domain)
-    if as_json:
-        for finding in findings:
-            print_json(_json(finding))
-    else:
-        _show(findings)
+    show_findings(findings, as_json)
     raise typer.Exit(1 if any(f.severity is Severity.ERROR for f in findings) else 0)
+
+
+def show_findings(findings: Sequence[Finding], as_json: bool) -> None:
+    """Print findings, for a person or for a program."""
+    from casper.cli.output import print_json
+
+    if not as_json:
+        _show(findings)
+        return
+    for finding in findings:
+        print_json(_json(finding))
 
 
 def _json(finding: Finding) -> dict[str, Any]:
