@@ -19,6 +19,8 @@ from casper.kb.ontologies.reading.source import read_ontology
 from casper.kb.ontologies.vocabulary.anonymous import relabelled
 from casper.kb.ontologies.vocabulary.names import renamed
 from casper.kb.ontologies.writing import MAIN, NAMES, names_text, ontology_text
+from casper.kb.terms.clauses import Directive
+from casper.kb.text.reader import read_text
 from casper.kb.text.sources import Sources
 
 
@@ -35,8 +37,12 @@ class Imported:
 
     def knowledge_base(self) -> KnowledgeBase:
         """What the texts say, without writing them."""
-        include = f':- include("{NAMES}").'
-        return KnowledgeBase.from_text(self.files[MAIN].replace(include, self.files[NAMES].split("\n", 1)[1]), MAIN)
+        kb = KnowledgeBase()
+        for name, text in self.files.items():
+            read = read_text(text, name)
+            kb.add(s for s in read if not (isinstance(s, Directive) and s.term.functor == "include"))
+        kb.compile()
+        return kb
 
     def write(self, folder: Path, *, replace: bool = False) -> list[Finding]:
         """Write the texts, and look whether the ontology contradicts itself.
@@ -89,8 +95,8 @@ def _findings(ontology: Ontology, translation: Translation, whole: Place) -> Ite
             yield warning(place, f"the ontology needs {iri}, which was not read; give its file, too")
     for iri, name in renamed(translation.vocabulary.names, ontology.labels):
         yield note(whole, f"<{iri}> is called {name} here: its own name is another's, or has a meaning to the system")
-    if not ontology.axioms:
-        yield warning(whole, "there is no axiom in it")
+    if not ontology.axioms and not ontology.kinds:
+        yield warning(whole, "nothing is stated in it")
 
 
 def contradictions(folder: Path) -> Iterator[Finding]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 
-from casper.kb.ontologies.expressions import Iri, Kind, Ontology
+from casper.kb.ontologies.expressions import Kind
 from casper.kb.ontologies.vocabulary.scope import Vocabulary, literal
 from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.terms.terms import Compound, Term, Variable
@@ -110,21 +110,6 @@ def _facts(vocabulary: Vocabulary) -> Iterator[Clause]:
 
 def _individuals(vocabulary: Vocabulary) -> Iterable[str]:
     return (i for i, kinds in vocabulary.ontology.kinds.items() if Kind.INDIVIDUAL in kinds and i in vocabulary.names)
-
-
-def declare_individuals(ontology: Ontology) -> None:
-    """Note every name that stands where only an individual can."""
-    for axiom in ontology.axioms:
-        name, args = axiom.expression.name, axiom.expression.args
-        if name in ("SameIndividual", "DifferentIndividuals"):
-            individuals = args
-        elif name in ("ClassAssertion", "PropertyAssertion", "NegativePropertyAssertion"):
-            individuals = args[1:]
-        else:
-            continue
-        for one in individuals:
-            if isinstance(one, Iri):
-                ontology.declare(one.text, Kind.INDIVIDUAL)
 
 
 def undefined(clauses: Iterable[Clause]) -> set[Indicator]:

@@ -10,11 +10,11 @@ from casper.kb.ontologies.citing import cited
 from casper.kb.ontologies.expressions import Axiom, Expression, Iri, Ontology, Part, Value
 from casper.kb.ontologies.meaning import class_axioms as classes
 from casper.kb.ontologies.meaning import property_axioms as properties
-from casper.kb.ontologies.meaning.equality import SAME, Cited, declare_individuals, general_rules
+from casper.kb.ontologies.meaning.equality import SAME, Cited, general_rules
 from casper.kb.ontologies.meaning.rules import rule
 from casper.kb.ontologies.meaning.tidying import tidied
 from casper.kb.ontologies.vocabulary.anonymous import number_anonymous
-from casper.kb.ontologies.vocabulary.kinds import settle_kinds
+from casper.kb.ontologies.vocabulary.kinds import settle_kinds, settle_names
 from casper.kb.ontologies.vocabulary.names import names_of
 from casper.kb.ontologies.vocabulary.refusals import Beyond, Said
 from casper.kb.ontologies.vocabulary.scope import Scope, Vocabulary
@@ -73,7 +73,7 @@ class Translation:
 def translate(ontology: Ontology) -> Translation:
     """The clauses of an ontology, in an order that depends on nothing but what it says."""
     mixed = settle_kinds(ontology)
-    declare_individuals(ontology)
+    settle_names(ontology)
     number_anonymous(ontology)
     axioms = sorted(map(_ordered, ontology.axioms), key=_key)
     vocabulary = _vocabulary(ontology, axioms)

@@ -9,6 +9,7 @@ from casper.kb.ontologies.expressions import RDF, RDFS, XSD, Expression, Iri, Ki
 _RESTRICTIONS = ("SomeValuesFrom", "AllValuesFrom", "HasValue")
 _COUNTED = ("MinCardinality", "MaxCardinality", "ExactCardinality")
 _TRIPLES = ("PropertyAssertion", "NegativePropertyAssertion", "PropertyAtom")
+_JOINED = ("IntersectionOf", "UnionOf", "ComplementOf")
 _ALIKE = ("SubPropertyOf", "EquivalentProperties", "DisjointProperties")
 
 
@@ -38,6 +39,37 @@ def settle_kinds(ontology: Ontology) -> list[str]:
     both = {Kind.DATA, Kind.OBJECT}
     mixed = {iri for iri, kind in evidence if kind is Kind.DATA and not ontology.is_a(iri, Kind.DATA)}
     return sorted(mixed | {iri for iri, kinds in ontology.kinds.items() if both <= kinds})
+
+
+def settle_names(ontology: Ontology) -> None:
+    """Note every name that stands where only a class, or only an individual, can."""
+    for axiom in ontology.axioms:
+        for part in parts_of(axiom.expression):
+            if isinstance(part, Expression):
+                for kind, names in ((Kind.CLASS, _classes(part)), (Kind.INDIVIDUAL, _individuals(part))):
+                    for name in names:
+                        if isinstance(name, Iri) and not is_data_range(name, ontology):
+                            ontology.declare(name.text, kind)
+
+
+def _classes(part: Expression) -> tuple[Part, ...]:
+    name, args = part.name, part.args
+    if name in ("SubClassOf", "EquivalentClasses", "DisjointClasses", "DisjointUnion", *_JOINED):
+        return args
+    if name in ("ClassAssertion", "ClassAtom", "HasKey"):
+        return args[:1]
+    if name in ("SomeValuesFrom", "AllValuesFrom", "PropertyDomain", "PropertyRange"):
+        return args[1:]
+    return args[2:] if name in _COUNTED else ()
+
+
+def _individuals(part: Expression) -> tuple[Part, ...]:
+    name, args = part.name, part.args
+    if name in ("SameIndividual", "DifferentIndividuals", "OneOf", "SameIndividualAtom", "DifferentIndividualsAtom"):
+        return args
+    if name in ("ClassAssertion", "ClassAtom", "HasValue", *_TRIPLES):
+        return args[1:]
+    return ()
 
 
 def _is_property(ontology: Ontology, iri: str) -> bool:
