@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -37,7 +38,8 @@ def read_functional(text: str, file: str) -> Node:
         else:
             raise ReadError("only Prefix(…) and one Ontology(…) may stand here", reader.place(child))
     if ontology is None:
-        raise ReadError("there is no Ontology(…) in this file", Place(file, 1, 1))
+        sentence = "there is no Ontology(…) in this file: it was cut short; get the whole file"
+        raise ReadError(sentence, Place(file, text.rstrip().count("\n") + 1))
     return ontology
 
 
@@ -49,7 +51,8 @@ def _parser() -> Lark:
 
 def _mistake(mistake: UnexpectedInput, text: str, file: str) -> ReadError:
     token = getattr(mistake, "token", None)
-    if token is not None and token.type == "$END":
+    rest = text[mistake.pos_in_stream or 0 :].strip() if mistake.pos_in_stream is not None else ""
+    if (token is not None and token.type == "$END") or (rest and re.fullmatch(r"[^\s()]*", rest)):
         line = text.rstrip().count("\n") + 1
         sentence = "the file ends here, in the middle of the ontology: it was cut short; get the whole file"
         return ReadError(sentence, Place(file, line))

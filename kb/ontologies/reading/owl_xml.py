@@ -35,19 +35,19 @@ def read_owl_xml(content: bytes, file: str) -> Node:
     try:
         reader.parser.Parse(content, True)
     except expat.ExpatError as mistake:
-        raise xml_mistake(mistake, file) from None
+        raise _mistake(mistake, file, content.rstrip().count(b"\n") + 1) from None
     if reader.root is None:
         raise ReadError("there is no <Ontology> in this file", Place(file, 1, 1))
     return reader.root
 
 
-def xml_mistake(mistake: expat.ExpatError, file: str) -> ReadError:
+def _mistake(mistake: expat.ExpatError, file: str, lines: int) -> ReadError:
     """A sentence for XML that is not well-formed; most often the file was cut short."""
     words = expat.ErrorString(mistake.code)
-    cut = mistake.code in (expat.errors.codes[expat.errors.XML_ERROR_NO_ELEMENTS],
-                           expat.errors.codes[expat.errors.XML_ERROR_UNCLOSED_TOKEN])
+    cut = mistake.lineno >= lines
     advice = "the file was cut short; get the whole file" if cut else "mend the file, or save it anew from your editor"
-    return ReadError(f"this is no XML any more ({words}): {advice}", Place(file, mistake.lineno, mistake.offset + 1))
+    place = Place(file, lines) if cut else Place(file, mistake.lineno, mistake.offset + 1)
+    return ReadError(f"this is no XML any more ({words}): {advice}", place)
 
 
 class _Reader:

@@ -28,7 +28,8 @@ def by_our_rules(kb):
     return found, bool(kb.broken())
 
 
-@given(ontologies)
+# owlrl takes two things that have no value of a key for one (its prp-key holds of nothing), so keys have their own test.
+@given(ontologies.filter(lambda axioms: all(axiom.name != "HasKey" for axiom in axioms)))
 def test_the_rules_derive_what_the_profile_s_rule_tables_derive(axioms):
     text = functional_text(axioms)
     note(text)
