@@ -93,7 +93,7 @@ def _findings(ontology: Ontology, translation: Translation, whole: Place) -> Ite
     for iri, place in ontology.imports:
         if iri not in ontology.iris:
             yield warning(place, f"the ontology needs {iri}, which was not read; give its file, too")
-    for iri, name in renamed(translation.vocabulary.names, ontology.labels):
+    for iri, name in renamed(translation.vocabulary.names, ontology):
         yield note(whole, f"<{iri}> is called {name} here: its own name is another's, or has a meaning to the system")
     if not ontology.axioms and not ontology.kinds:
         yield warning(whole, "nothing is stated in it")

@@ -10,7 +10,7 @@ from casper.kb.ontologies.meaning.equality import predicates, undefined
 from casper.kb.ontologies.meaning.translation import Translation
 from casper.kb.ontologies.vocabulary.scope import Vocabulary
 from casper.kb.ontologies.vocabulary.values import is_number
-from casper.kb.terms.clauses import Clause, Directive
+from casper.kb.terms.clauses import Clause
 from casper.kb.terms.syntax import atom_text
 from casper.kb.terms.terms import Compound
 from casper.kb.text.citations import MARK
@@ -74,7 +74,7 @@ def _vocabulary(translation: Translation) -> Iterator[str]:
 
 
 def _dynamic(name: str, arity: int) -> str:
-    return sentence_text(Directive(Compound(("dynamic", Compound(("/", name, arity))))))
+    return f":- dynamic({atom_text(name)}/{arity})."
 
 
 def names_text(translation: Translation) -> str:

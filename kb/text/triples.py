@@ -16,7 +16,7 @@ from casper.kb.terms.terms import Compound, Term
 _RDF = "http://www.w3.org/1999/02/22-rdf-syntax-ns#"
 _XSD = "http://www.w3.org/2001/XMLSchema#"
 _OURS = "urn:casper:"
-_DATATYPES = {  # the compound terms that spell values of XML Schema
+STANDARD_DATATYPES = {  # the compound terms that spell values of XML Schema
     name: _XSD + datatype
     for name, datatype in {
         "boolean": "boolean", "date": "date", "date_time": "dateTime", "date_time_stamp": "dateTimeStamp",
@@ -81,7 +81,7 @@ class _Writer:
         if isinstance(term, Compound) and term.indicator == ("text", 2):
             return f"{_literal(str(term[1]))}@{term[2]}"
         if isinstance(term, Compound) and term.arity == 1 and isinstance(term[1], str):
-            datatype = self._iris.get(term.functor) or _DATATYPES.get(term.functor, "")
+            datatype = STANDARD_DATATYPES.get(term.functor) or self._iris.get(term.functor, "")
             if datatype:
                 return _literal(term[1], datatype)
         return _literal(term_text(term), f"{_OURS}term")

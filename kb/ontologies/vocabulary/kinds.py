@@ -42,9 +42,11 @@ def settle_kinds(ontology: Ontology) -> list[str]:
 
 
 def settle_names(ontology: Ontology) -> None:
-    """Note every name that stands where only a class, or only an individual, can."""
+    """Note every name that stands where only a class, an individual or a datatype can."""
     for axiom in ontology.axioms:
         for part in parts_of(axiom.expression):
+            if isinstance(part, Value) and not part.datatype.startswith((XSD, RDF, RDFS)):
+                ontology.declare(part.datatype, Kind.DATATYPE)
             if isinstance(part, Expression):
                 for kind, names in ((Kind.CLASS, _classes(part)), (Kind.INDIVIDUAL, _individuals(part))):
                     for name in names:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from urllib.parse import unquote
 
 from casper.kb.ontologies.citing import local_name
-from casper.kb.ontologies.expressions import OWL, RDF, RDFS, SWRLB, XSD, Expression, Iri, Ontology, parts_of
+from casper.kb.ontologies.expressions import OWL, RDF, RDFS, SWRLB, XSD, Iri, Kind, Ontology, parts_of
+from casper.kb.text.triples import STANDARD_DATATYPES
 
 OWN = ("thing", "same", "different", "apart", "iri", "data_property", "datatype")  # relations of the written text
 _TAKEN = frozenset(
@@ -17,8 +18,8 @@ _TAKEN = frozenset(
         *("claim", "did", "valid", "never", "is", "mod", "rem", "xor", "not", "true", "fail", "false", "undefined"),
         *("goal", "step", "before", "optional", "alternative", "uses", "task", "unordered", "steps", "repeat", "by"),
         *("prior", "band", "loop", "body", "shelf", "opens", "mass", "placing", "consumes", "say", "example"),
-        *("findall", "forall", "call", "assert", "member", "write", "dynamic", "include", "use", "boolean", "text"),
-        *("number", "integer", "atom", "var", "nonvar", "ground", "length", "count", "sum", "max", "min", "abs"),
+        *("findall", "forall", "call", "assert", "member", "write", "dynamic", "include", "use", "number", "integer"),
+        *("atom", "var", "nonvar", "ground", "length"),
     }
 )
 _STANDARD = (OWL, RDF, RDFS, XSD, SWRLB)
@@ -28,15 +29,20 @@ _OPAQUE = re.compile(r"[A-Za-z]*[_:]?\d{3,}\Z")  # GO_0008150: a number in a reg
 def names_of(ontology: Ontology) -> dict[str, str]:
     """A name for every IRI that the ontology speaks of, apart from OWL's own; no two have the same."""
     iris = sorted({iri for iri in _mentioned(ontology) if not iri.startswith(_STANDARD)})
-    wished = {iri: readable_name(iri, ontology.labels.get(iri, ())) for iri in iris}
-    return _told_apart(wished)
+    return _told_apart({iri: _wish(iri, ontology) for iri in iris})
 
 
-def renamed(names: Mapping[str, str], labels: Mapping[str, Sequence[str]]) -> Iterator[tuple[str, str]]:
+def _wish(iri: str, ontology: Ontology) -> str:
+    """The readable name; of a datatype that is called like one of XML Schema's, with a word more."""
+    name = readable_name(iri, ontology.labels.get(iri, ()))
+    is_datatype = ontology.is_a(iri, Kind.DATATYPE)
+    return f"{name}_value" if is_datatype and name in {"text", *STANDARD_DATATYPES} else name
+
+
+def renamed(names: Mapping[str, str], ontology: Ontology) -> Iterator[tuple[str, str]]:
     """Names that are not what one would expect of the IRI, because that name was taken."""
     for iri, name in names.items():
-        wish = readable_name(iri, labels.get(iri, ()))
-        if wish != name:
+        if name != readable_name(iri, ontology.labels.get(iri, ())):
             yield iri, name
 
 
@@ -83,5 +89,3 @@ def _mentioned(ontology: Ontology) -> Iterator[str]:
         for part in parts_of(axiom.expression):
             if isinstance(part, Iri):
                 yield part.text
-            elif isinstance(part, Expression) and part.name == "BuiltInAtom":
-                continue
