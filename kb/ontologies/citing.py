@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import lru_cache
 
 from casper.kb.ontologies.expressions import XSD, Anonymous, Expression, Iri, Part, Unknown, Value
 
@@ -29,6 +30,7 @@ _CARDINALITY = {"MinCardinality": "min", "MaxCardinality": "max", "ExactCardinal
 _FACETS = {"minInclusive": ">=", "maxInclusive": "<=", "minExclusive": ">", "maxExclusive": "<"}
 
 
+@lru_cache(maxsize=65_536)
 def local_name(iri: str) -> str:
     """What stands behind the last ``#``, ``/`` or ``:`` of an IRI."""
     return re.split(r"[#/:]", iri.rstrip("#/:"))[-1] or iri

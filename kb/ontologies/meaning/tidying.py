@@ -26,6 +26,8 @@ def tidied(clause: Clause, data: Collection[Variable] = (), *, rename: bool = Fa
     Raises:
         Beyond: nothing binds one of these.
     """
+    if not clause.body and is_ground(clause.head):
+        return clause
     settled = _settled(clause)
     if settled is None:
         return None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from casper.kb.errors import Place
 from casper.kb.ontologies.citing import cited
@@ -80,7 +80,7 @@ def translate(ontology: Ontology) -> Translation:
     work = _Work(vocabulary)
     work.run(axioms)
     if any(clause.head.indicator == SAME for clause in work.clauses):  # then every condition has to reckon with it
-        work = _Work(_vocabulary(ontology, axioms, equality=True))
+        work = _Work(replace(vocabulary, equality=True, groups={}))
         work.run(axioms)
     stated = tuple(work.clauses.items())
     general = tuple(pair for pair in general_rules(work.vocabulary, stated) if pair[0] not in work.clauses)
@@ -103,7 +103,7 @@ def _key(axiom: Axiom) -> tuple[int, str, str]:
     return names.index(name) if name in names else len(names), cited(axiom.expression), repr(axiom.expression)
 
 
-def _vocabulary(ontology: Ontology, axioms: list[Axiom], equality: bool = False) -> Vocabulary:
+def _vocabulary(ontology: Ontology, axioms: list[Axiom]) -> Vocabulary:
     ranges: dict[str, list[Part]] = {}
     spelt: dict[str, set[str]] = {}
     datatypes: dict[str, Part] = {}
@@ -115,7 +115,7 @@ def _vocabulary(ontology: Ontology, axioms: list[Axiom], equality: bool = False)
                 spelt.setdefault(text, set()).add(datatype)
             case Expression("DatatypeDefinition", (Iri(text), range_)):
                 datatypes[text] = range_
-    return Vocabulary(ontology, names_of(ontology), equality, ranges, spelt, datatypes)
+    return Vocabulary(ontology, names_of(ontology), False, ranges, spelt, datatypes)
 
 
 class _Work:
