@@ -48,7 +48,10 @@ def cited(part: Part) -> str:
         case Value():
             return _value(part)
         case Expression():
-            return _expression(part)
+            try:
+                return _expression(part)
+            except (IndexError, ValueError):  # too few parts for its words: shown as it is, so that it can be mended
+                return f"{part.name}({', '.join(map(cited, part.args))})"
     return str(part)
 
 

@@ -107,5 +107,17 @@ def contradictions(folder: Path) -> Iterator[Finding]:
         for violation in kb.broken():
             clash = ", ".join(str(x.atom) for x in violation.clash if not x.is_comparison)
             yield error(violation.clause.place, f"the ontology contradicts itself: {violation.sentence} ({clash})")
+        yield from _endless(kb)
     except CasperError as mistake:
         yield finding_of(mistake, Place(str(folder / MAIN)))
+
+
+def _endless(kb: KnowledgeBase) -> Iterator[Finding]:
+    """Predicates that cannot be listed, because a rule computes what it needs itself."""
+    rules = {c.head.indicator: c for c in kb.clauses if c.body and not c.is_constraint}
+    found = [rule for indicator, rule in rules.items() if kb.stored(indicator) is None]
+    if found:
+        names = ", ".join(f"{name}/{arity}" for name, arity in (rule.head.indicator for rule in found[:3]))
+        more = f" and {len(found) - 3} more" if len(found) > 3 else ""
+        reason = "a rule computes what it needs itself, so answers are searched for and may be unknown"
+        yield warning(found[0].place, f"{names}{more}: {reason}; state the results as facts")

@@ -43,7 +43,7 @@ def general_rules(vocabulary: Vocabulary, stated: Collection[Cited]) -> Iterator
     if DIFFERENT in used:
         yield from _difference(is_equality)
     if THING in used:
-        yield from _things(vocabulary, is_equality)
+        yield from _things(vocabulary, is_equality, [clause for clause, _ in stated])
     else:
         known = {arg for clause, _ in stated if not clause.body for arg in clause.head.args}
         yield from ((fact, "") for fact in _facts(vocabulary) if fact.head[1] not in known)
@@ -52,7 +52,7 @@ def general_rules(vocabulary: Vocabulary, stated: Collection[Cited]) -> Iterator
 def _sameness(vocabulary: Vocabulary, clauses: Collection[Clause]) -> Iterator[Cited]:
     yield _rule(("same", _Y, _X), ("same", _X, _Y)), "what is the same is so both ways"
     yield _rule(("same", _X, _Z), ("same", _X, _Y), ("same", _Y, _Z), ("\\=", _X, _Z)), "and all the way"
-    computed = {clause.head.indicator for clause in clauses if any(x.atom[0] == "is" for x in clause.body)}
+    computed = _computed(clauses)
     for name, kind in predicates(vocabulary):
         if (name, 2) in computed and kind is not Kind.CLASS:
             rules = _shared_facts(name, kind, clauses)
@@ -91,8 +91,16 @@ def _difference(is_equality: bool) -> Iterator[Cited]:
         yield _rule(("different", _X, _Z), ("different", _X, _Y), ("same", _Y, _Z)), "whatever it is called"
 
 
-def _things(vocabulary: Vocabulary, is_equality: bool) -> Iterator[Cited]:
+def _computed(clauses: Iterable[Clause]) -> set[Indicator]:
+    """Predicates with a rule that computes: they must not need themselves, or they would have no end."""
+    return {clause.head.indicator for clause in clauses if any(x.atom[0] == "is" for x in clause.body)}
+
+
+def _things(vocabulary: Vocabulary, is_equality: bool, clauses: Iterable[Clause]) -> Iterator[Cited]:
+    computed = _computed(clauses)
     for name, kind in predicates(vocabulary):
+        if kind is Kind.DATA and (name, 2) in computed:
+            continue  # its rules say of what is a thing already
         if kind is Kind.CLASS:
             yield _rule(("thing", _X), (name, _X)), "what is something is a thing"
         else:

@@ -22,7 +22,12 @@ class _Element:
     base: str
     place: Place
     items: list[Item] = field(default_factory=list)
-    text: str = ""
+    texts: list[str] = field(default_factory=list)
+
+    @property
+    def text(self) -> str:
+        """What stands between the tags."""
+        return "".join(self.texts)
 
 
 def read_owl_xml(content: bytes, file: str) -> Node:
@@ -76,7 +81,7 @@ class _Reader:
 
     def _characters(self, text: str) -> None:
         if self._open:
-            self._open[-1].text += text
+            self._open[-1].texts.append(text)
 
     def _end(self, _: str) -> None:
         element = self._open.pop()

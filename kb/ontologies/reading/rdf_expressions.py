@@ -131,7 +131,9 @@ class ExpressionReader:
 
     def _atoms(self, node: Any, name: str) -> Expression:
         value = self._triples.value(node, SWRL + name.lower())
-        items = [] if value is None else self._triples.items(value)
+        if value is None:  # an empty half is the empty list
+            raise Misread(f"its {name.lower()} is not there; mend the rule")
+        items = self._triples.items(value)
         return Expression(name, tuple(self._atom(item) for item in items))
 
     def _atom(self, node: Any) -> Expression:

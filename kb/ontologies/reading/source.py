@@ -7,6 +7,7 @@ from pathlib import Path
 from casper.kb.errors import DomainError, Place, ReadError
 from casper.kb.ontologies.expressions import Ontology
 from casper.kb.ontologies.reading import canonical, rdf_axioms
+from casper.kb.ontologies.reading.entities import check_entities
 from casper.kb.ontologies.reading.functional import read_functional
 from casper.kb.ontologies.reading.owl_xml import read_owl_xml
 from casper.kb.ontologies.reading.triples import read_triples
@@ -37,13 +38,15 @@ def read_ontology(file: Path) -> Ontology:
 
 
 def _ontology(content: bytes, file: Path) -> Ontology:
-    name = str(file)
-    match _syntax(content, file.suffix):
+    name, syntax = str(file), _syntax(content, file.suffix)
+    if syntax in ("owx", "xml"):
+        check_entities(content, name)
+    match syntax:
         case "ofn":
             return canonical.ontology_of(read_functional(_text(content, file), name))
         case "owx":
             return canonical.ontology_of(read_owl_xml(content, name))
-        case syntax:
+        case _:
             return rdf_axioms.ontology_of(read_triples(content, syntax, name), name)
 
 

@@ -206,3 +206,25 @@ def test_a_computed_property_stays_finite_among_equal_things():
 def test_variables_keep_the_names_their_author_gave_them():
     text = imported(*AGES, swrl(f"DataPropertyAtom(:age {v('the-person')} {v('n')})", f"ClassAtom(:C {v('the-person')})")).files["ontology.pl"]
     assert "c(The_person) :- age(The_person, _)." in text
+
+
+def test_a_property_that_is_computed_from_itself_is_told(tmp_path):
+    rule = swrl(f'{AGE} BuiltInAtom(swrlb:add {v("m")} {v("n")} "1"^^xsd:integer)', f"DataPropertyAtom(:age {v('x')} {v('m')})")
+    (told,) = imported(*AGES, rule).write(tmp_path)
+    assert "age/2: a rule computes what it needs itself" in told.message
+
+
+def test_computing_and_things_in_general_go_together():
+    kb = kb_of(*AGES, "SubClassOf(owl:Thing :Any)", swrl(f'{AGE} BuiltInAtom(swrlb:add {v("m")} {v("n")} "1"^^xsd:integer)', f"DataPropertyAtom(:next {v('x')} {v('m')})"))
+    assert rows(kb, "any(X)") == [("p17",), ("p18",), ("p3",)]
+    assert rows(kb, "next(p3, N)") == [(4,)]
+
+
+def test_a_rule_in_triples_without_its_body_is_told():
+    from ontologies import imported_text
+
+    text = """@prefix swrl: <http://www.w3.org/2003/11/swrl#> . @prefix : <http://z.org/> . :x a swrl:Variable .
+    [] a swrl:Imp ; swrl:head ( [ a swrl:ClassAtom ; swrl:classPredicate :C ; swrl:argument1 :x ] ) ."""
+    found = imported_text(text, "ttl")
+    assert "its body is not there; mend the rule; nothing was made of it" in found.findings[0].message
+    assert not found.knowledge_base().defines("c", 1)
