@@ -74,3 +74,14 @@ def test_without_rdflib_the_command_that_brings_it_is_told(casper, tmp_path, mon
     monkeypatch.setattr("casper.cli.extras.find_spec", lambda name: None if name == "rdflib" else known(name))
     told = casper("import", str(ZOO / "zoo.ttl"), str(tmp_path / "zoo"))
     assert told.code == 2 and "pip install 'casper-hri[owl]'" in told.err
+
+
+def test_a_misspelt_value_is_a_finding_and_nothing_else_is_printed(tmp_path):
+    import subprocess
+    import sys
+
+    (tmp_path / "zoo.ttl").write_text(TURTLE + ':rex :age "abc"^^<http://www.w3.org/2001/XMLSchema#integer> .')
+    command = [sys.executable, "-m", "casper", "import", str(tmp_path / "zoo.ttl"), str(tmp_path / "zoo"), "--json"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.stderr == "" and len(done.stdout.splitlines()) == 1
+    assert "is no integer" in done.stdout

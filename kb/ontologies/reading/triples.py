@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from casper.kb.errors import Place, ReadError
@@ -109,12 +111,25 @@ def read_triples(content: bytes, syntax: str, file: str) -> Triples:
 
     graph = Graph()
     try:
-        graph.parse(data=content, format=syntax, publicID=f"file:///{file.rsplit('/', 1)[-1]}")
+        with _quiet():
+            graph.parse(data=content, format=syntax, publicID=f"file:///{file.rsplit('/', 1)[-1]}")
     except RecursionError:
         raise ReadError("this file is nested too deeply to be read", Place(file)) from None
     except Exception as mistake:  # each of rdflib's parsers has exceptions of its own
         raise _mistake(mistake, content, file, syntax) from None
     return Triples(_plain(graph))
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Without rdflib's own log of values that are misspelt: they are findings."""
+    logger = logging.getLogger("rdflib")
+    before = logger.level
+    logger.setLevel(logging.CRITICAL)
+    try:
+        yield
+    finally:
+        logger.setLevel(before)
 
 
 def _mistake(mistake: Exception, content: bytes, file: str, syntax: str) -> ReadError:
