@@ -32,6 +32,7 @@ def _sections(translation: Translation) -> Iterator[list[str]]:
     yield _titled("Rules", ((c, told) for c, told in clauses if c.body and not c.is_constraint))
     yield _titled("What is never so", ((c, told) for c, told in clauses if c.is_constraint))
     yield _titled("Facts", ((c, told) for c, told in (*clauses, *translation.general) if not c.body))
+    yield _individuals(translation.vocabulary)
     yield _titled("What holds of whatever there is", ((c, told) for c, told in translation.general if c.body))
     refused = [f"% - {_one_line(sentence)}" for _, sentence in translation.refusals]
     yield ["% What no clause here says", *refused] if refused else []
@@ -71,6 +72,17 @@ def _vocabulary(translation: Translation) -> Iterator[str]:
             yield _dynamic(name, arity)
     for name, arity in sorted(undefined(clauses) - known):
         yield _dynamic(name, arity)
+
+
+def _individuals(vocabulary: Vocabulary) -> list[str]:
+    """The labels of individuals, as comments."""
+    labels, kinds = vocabulary.ontology.labels, vocabulary.ontology.kinds
+    told = [
+        f'% {atom_text(name)}: {", ".join(_one_line(label) for label in sorted(labels[iri]))}'
+        for iri, name in vocabulary.names.items()
+        if iri in labels and Kind.INDIVIDUAL in kinds.get(iri, ())
+    ]
+    return ["% Individuals by their labels", *told] if told else []
 
 
 def _dynamic(name: str, arity: int) -> str:

@@ -70,7 +70,7 @@ _GROUPS = {
     f"{OWL}AllDifferent": "DifferentIndividuals",
 }
 _SILENT = {  # annotations of OWL and RDFS themselves
-    *(RDFS + name for name in ("comment", "seeAlso", "isDefinedBy", "member")),
+    *(RDFS + name for name in ("comment", "seeAlso", "isDefinedBy")),
     *(OWL + name for name in ("versionInfo", "versionIRI", "deprecated", "priorVersion", "backwardCompatibleWith")),
     f"{OWL}incompatibleWith",
 }
@@ -93,6 +93,7 @@ class _Reader:
         self.triples, self.place = triples, Place(file)
         self.expressions = ExpressionReader(triples)
         self.ontology = Ontology()
+        self.headers: set[Any] = set()
         self.rule_labels: dict[Any, str] = {}  # of SWRL rules, where they are annotated as axioms are
 
     def add(self, name: str, parts: Callable[[], tuple[Part, ...]], label: str = "") -> None:
@@ -122,6 +123,7 @@ class _Reader:
 
 def _header(reader: _Reader) -> None:
     for subject in reader.subjects(f"{OWL}Ontology"):
+        reader.headers.add(subject)
         if isinstance(subject, Iri):
             reader.ontology.iris.append(subject.text)
         for value in reader.triples.values(subject, f"{OWL}imports"):
@@ -252,7 +254,7 @@ def _labels(reader: _Reader) -> None:
 def _assertions(reader: _Reader) -> None:
     """Every other triple is a property assertion, unless its predicate only annotates, or it is about no individual."""
     no_individuals = {Iri(iri) for iri, kinds in reader.ontology.kinds.items() if not _names_individual(kinds)}
-    no_individuals |= {Iri(iri) for iri in reader.ontology.iris}
+    no_individuals |= reader.headers
     for subject, predicate, value in [t for t in reader.triples if t not in reader.triples.used]:
         kinds = reader.ontology.kinds.get(predicate, set())
         if predicate.startswith(_OUR_WORDS):

@@ -66,6 +66,23 @@ def test_labels_are_comments():
     assert '% dog(X): Dog, "a dog"\n:- dynamic(dog/1).' in text
 
 
+def test_labels_of_individuals_are_comments():
+    text = imported('AnnotationAssertion(rdfs:label :rex "Rex the dog")', "ClassAssertion(:Dog :rex)").files["ontology.pl"]
+    assert "% rex: Rex the dog" in text
+
+
+@pytest.mark.parametrize("header", ["<http://z.org/zoo>", "[]"])
+def test_what_is_said_of_the_ontology_itself_is_no_fact(header):
+    text = f'@prefix owl: <http://www.w3.org/2002/07/owl#> . {header} a owl:Ontology ; <http://purl.org/dc/terms/title> "x" .'
+    assert imported_text(text, "ttl").knowledge_base().to_rdf() == ""
+
+
+def test_triples_in_the_words_of_rdf_that_mean_no_axiom_are_told():
+    text = "<http://z.org/a> <http://www.w3.org/2000/01/rdf-schema#member> <http://z.org/b> ."
+    (told, *_) = imported_text(text, "ttl").findings
+    assert told.message == "member of a is part of no axiom that could be read, and was left out"
+
+
 FACTS = """@prefix : <http://z.org/zoo#> . @prefix xsd: <http://www.w3.org/2001/XMLSchema#> .
 :rex a :Dog ; :owner :ann, [ a :Person ] ; :name "Rex", "Réx \\"the\\n\\\\dog"@fr ; :age 3 ; :weight 7.25 ; :dog "rex" ;
   :born "2026-01-01"^^xsd:date ; :wet true ; :size "1.5E1"^^xsd:double ; :seen "2026-01-01T12:00:00+00:00"^^xsd:dateTime ;
