@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from casper.kb.errors import ReadError
 from casper.kb.ontologies.expressions import RDFS, Axiom, Expression, Iri, Kind, Ontology, Part, Unknown, Value
 from casper.kb.ontologies.reading.nodes import Entity, Item, Node
 from casper.kb.terms.clauses import NOWHERE
@@ -47,11 +46,7 @@ _LABEL = f"{RDFS}label"
 
 
 def ontology_of(root: Node) -> Ontology:
-    """The axioms of an ``Ontology`` node.
-
-    Raises:
-        ReadError: a constructor has too few arguments.
-    """
+    """The axioms of an ``Ontology`` node; what is none is a puzzle of the ontology."""
     ontology = Ontology()
     for item in root.items:
         if isinstance(item, Iri) and not ontology.iris:
@@ -71,8 +66,7 @@ def _take(node: Node, ontology: Ontology) -> None:
     elif node.name == "AnnotationAssertion":
         _annotate([x for x in node.items if not _is_annotation(x)], ontology)
     elif node.name == "DLSafeRule":
-        expression = _Reader(ontology).rule(node)
-        ontology.axioms.append(Axiom(expression, node.place, _label(node)))
+        _take_rule(node, ontology)
     elif node.name not in ("Annotation", *_ANNOTATING):
         _take_axiom(node, ontology)
 
@@ -84,8 +78,20 @@ def _take_axiom(node: Node, ontology: Ontology) -> None:
         ontology.puzzles.append((node.place, f"{node.name} is no axiom of OWL 2; nothing was made of it"))
         return
     if len(expression.args) < (1 if expression.name in _PROPERTIES else 2):
-        raise ReadError(f"{node.name} has too few arguments; mend the axiom", node.place)
+        ontology.puzzles.append((node.place, f"{node.name} has too few arguments; mend the axiom"))
+        return
     ontology.axioms += [Axiom(x, node.place) for x in split(expression)]
+
+
+def _take_rule(node: Node, ontology: Ontology) -> None:
+    """``DLSafeRule(Body(…) Head(…))``."""
+    halves = {item.name: item for item in node.items if isinstance(item, Node)}
+    if "Body" not in halves or "Head" not in halves:
+        ontology.puzzles.append((node.place, "a rule has a Body(…) and a Head(…); mend the rule"))
+        return
+    read = _Reader(ontology).part
+    body, head = (Expression(name, tuple(map(read, halves[name].items))) for name in ("Body", "Head"))
+    ontology.axioms.append(Axiom(Expression("Rule", (body, head)), node.place, _label(node)))
 
 
 def _annotate(items: Sequence[Item], ontology: Ontology) -> None:
@@ -174,14 +180,6 @@ class _Reader:
             elif not _is_annotation(item):
                 args.append(self.part(item))
         return Expression("HasKey", tuple(args))
-
-    def rule(self, node: Node) -> Expression:
-        """``DLSafeRule(Body(…) Head(…))``."""
-        halves = {item.name: item for item in node.items if isinstance(item, Node)}
-        if "Body" not in halves or "Head" not in halves:
-            raise ReadError("a rule has a Body(…) and a Head(…); mend the rule", node.place)
-        body, head = (Expression(name, tuple(map(self.part, halves[name].items))) for name in ("Body", "Head"))
-        return Expression("Rule", (body, head))
 
 
 def _facets(args: Sequence[Part]) -> Iterator[Expression]:

@@ -84,7 +84,7 @@ def _free(wish: str, used: Collection[str], wishes: Collection[str]) -> str:
 
 
 def _mentioned(ontology: Ontology) -> Iterator[str]:
-    yield from ontology.kinds
+    yield from (iri for iri, kinds in ontology.kinds.items() if kinds != {Kind.ANNOTATION})
     for axiom in ontology.axioms:
         for part in parts_of(axiom.expression):
             if isinstance(part, Iri):

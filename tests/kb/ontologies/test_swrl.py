@@ -220,6 +220,10 @@ def test_computing_and_things_in_general_go_together():
     assert rows(kb, "next(p3, N)") == [(4,)]
 
 
+def test_a_rule_without_its_head_is_told():
+    assert reasons(*PEOPLE, f"DLSafeRule(Body({PERSON}))") == ["a rule has a Body(…) and a Head(…); mend the rule"]
+
+
 def test_a_rule_in_triples_without_its_body_is_told():
     from ontologies import imported_text
 
