@@ -57,7 +57,7 @@ class _Writer:
         if len(args) == 2 and self._is_subject(args[0]):
             value = self._value(args[1], name) if is_data else self._node(args[1])
             return f"{self._node(args[0])} {self._iri(name)} {value} .\n"
-        node = f"_:row{number}"
+        node = f"_:row_{number}"
         members = (f"{node} <{_RDF}_{at}> {self._node(arg)} .\n" for at, arg in enumerate(args, 1))
         return f"{node} <{_RDF}type> <{_OURS}{quote(name, safe='')}/{len(args)}> .\n" + "".join(members)
 
@@ -65,8 +65,8 @@ class _Writer:
         return isinstance(term, str)
 
     def _iri(self, name: str) -> str:
-        if name.startswith("_:"):
-            return f"_:{re.sub(r'[^A-Za-z0-9]', '_', name[2:])}"
+        if re.fullmatch(r"_:[A-Za-z0-9]+", name):
+            return name
         return f"<{self._iris.get(name) or _OURS + quote(name, safe='')}>"
 
     def _node(self, term: Term) -> str:

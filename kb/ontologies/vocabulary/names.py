@@ -51,7 +51,7 @@ def readable_name(iri: str, labels: Iterable[str] = ()) -> str:
     local = unquote(local_name(iri))
     if _OPAQUE.match(local):
         local = next(iter(sorted(labels)), local)
-    return _snake(local) or local
+    return _snake(local) or (local if any(c.isalpha() for c in local) else "nameless")
 
 
 def _snake(text: str) -> str:
