@@ -26,6 +26,7 @@ from casper.kb.terms.clauses import SYSTEM, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable, predication
 from casper.kb.terms.unification import is_ground, substitute
 from casper.kb.text.reader import read_query
+from casper.kb.text.triples import triples_text
 from casper.kb.top_down.solve import DEFAULT_BUDGET
 
 if TYPE_CHECKING:
@@ -282,6 +283,26 @@ class KnowledgeBase(ClauseStore):
     def changed(self, repair: Repair) -> KnowledgeBase:
         """A copy of the knowledge base with facts added and removed; this one stays as it is."""
         return self.assume(*sorted(repair.add, key=repr), without=repair.remove)
+
+    # --- as RDF ----------------------------------------------------------------------------------------------------
+
+    def to_rdf(self, derived: bool = False) -> str:
+        """The stated facts as N-Triples (which is Turtle, too); with ``derived``, all that follows from them as well.
+
+        A text that was imported from an ontology has its IRIs in iri/2, and gives its individuals back; a name without
+        an IRI is under ``urn:casper:``. Predicates that are answered top-down have only their stated facts.
+        """
+        iris = {str(name): str(iri) for name, iri in self.rows("iri", 2)}
+        data = {str(name) for (name,) in self.rows("data_property", 1)}
+        datatypes = {str(name): str(datatype) for name, datatype in self.rows("datatype", 2)}
+        stated = ((c.head.indicator, c.head.args) for c in self.clauses if not c.body and is_ground(c.head))
+        rows = dict.fromkeys(stated)
+        if derived:
+            for indicator, relation in self._model.relations.items():
+                rows.update(((indicator, tuple(row)), None) for row in relation)
+        about = {("iri", 2), ("data_property", 1), ("datatype", 2)} if iris else set()
+        facts = sorted(((i, row) for i, row in rows if i not in about), key=repr)
+        return triples_text(((name, row) for (name, _), row in facts), iris, data, datatypes)
 
     # --- by name ---------------------------------------------------------------------------------------------------
 

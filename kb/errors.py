@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where a clause or a mistake stands: file, line and column (both from 1; 0 = unknown)."""
+    """Where a clause or a mistake stands: file, line and column (both from 1; 0 = unknown).
+
+    ``citation`` is what the author says it comes from, in a comment ``%: …`` on its line; proofs show it.
+    """
 
     file: str = "<text>"
     line: int = 0
     column: int = 0
+    citation: str = field(default="", compare=False)
 
     def __str__(self) -> str:
         return ":".join(str(part) for part in (self.file, self.line, self.column) if part != 0)

@@ -46,7 +46,7 @@ def test_the_sdist_holds_the_tests_and_the_changelog(built: Path) -> None:
     assert {"tests/test_packaging.py", "CHANGELOG.md", "LICENSE", "kb/text/parsing/parser.py"} <= names
 
 
-@pytest.mark.parametrize("name", ["networkx", "sklearn", "mujoco", "numpy", "matplotlib", "rich"])
+@pytest.mark.parametrize("name", ["networkx", "sklearn", "mujoco", "numpy", "matplotlib", "rich", "rdflib", "pandas"])
 def test_importing_casper_and_loading_a_domain_pulls_in_no_heavy_library(name: str) -> None:
     code = (
         "import sys, casper; from casper import Domain, Mind; Mind(Domain.load('kitchen')); "

@@ -83,7 +83,8 @@ def check_sentences(sentences: Sequence[Sentence], context: Context = _ALONE) ->
     findings.extend(f for c in sound if c not in contradictory for f in unbound_conditions(c))
     kb = _sound_base(sound, known | dynamic, findings)
     open_ = _open(clauses, dynamic | {c.head.indicator for c in faulty}, context)
-    findings.extend(_against_facts(kb, [c for c in sound if c not in contradictory], open_))
+    revisable = _revisable(clauses, open_)
+    findings.extend(_against_facts(kb, [c for c in sound if c not in contradictory], open_, revisable))
     return Checked(findings, kb, faulty)
 
 
@@ -126,9 +127,27 @@ def _open(clauses: Iterable[Clause], unknown: Collection[Indicator], context: Co
     return (reached | set(SYSTEM)) - {("never", 1)}
 
 
-def _against_facts(kb: KnowledgeBase, sound: Sequence[Clause], open_: Collection[Indicator]) -> Iterator[Finding]:
+def _revisable(clauses: Sequence[Clause], open_: Collection[Indicator]) -> set[Indicator]:
+    """Predicates that can lose rows as open ones gain some, or that depend on the situation: both undo a clash.
+
+    What only gains rows leaves a constraint that the facts break broken, so an ontology whose classes get their
+    members later is checked all the same.
+    """
+    import networkx as nx
+
+    graph = needs_graph(clauses)
+    denied = {x.atom.indicator for c in clauses for x in c.body if x.negated and not x.is_comparison}
+    losing = {c.head.indicator for c in clauses if any(x.negated and x.atom.indicator in open_ for x in c.body)}
+    roots = [i for i in graph if i in SYSTEM or i in losing or (i in denied and i in open_)]
+    backwards = graph.reverse(copy=False)
+    return (set(roots).union(*(nx.descendants(backwards, root) for root in roots)) | set(SYSTEM)) - {("never", 1)}
+
+
+def _against_facts(
+    kb: KnowledgeBase, sound: Sequence[Clause], open_: Collection[Indicator], revisable: Collection[Indicator]
+) -> Iterator[Finding]:
     if not len(kb):
         return
     rules = [c for c in sound if c.body and not c.is_constraint]
     yield from rules_that_give_nothing(kb, rules, open_)
-    yield from broken_constraints(kb, [c for c in sound if c.is_constraint], open_)
+    yield from broken_constraints(kb, [c for c in sound if c.is_constraint], revisable)

@@ -23,11 +23,13 @@ def rules_that_give_nothing(
     """Rules whose conditions no facts satisfy, each told where it goes wrong.
 
     ``open_`` are predicates whose rows are not all known yet (dynamic, situational, or in need of such a one). A rule
-    that gives nothing because another rule gives nothing is not told.
+    that gives nothing because another rule gives nothing is not told, nor is one that cites something (``%: …``).
     """
     empty: dict[Indicator, bool] = {}
     for rule in rules:
         needed = [x.atom.indicator for x in rule.body if not x.is_comparison]
+        if rule.place.citation:  # a law stated elsewhere, which need not have cases here
+            continue
         if not needed or any(i in open_ for i in needed):
             continue
         if any(_is_empty(kb, i, empty) and any(c.body for c in kb.clauses_of(i)) for i in needed):
@@ -80,7 +82,10 @@ def _holds(kb: KnowledgeBase, conditions: Sequence[Literal]) -> bool | None:
 def broken_constraints(
     kb: KnowledgeBase, constraints: Sequence[Clause], open_: Collection[Indicator]
 ) -> Iterator[Finding]:
-    """Constraints that the facts alone break, with the facts that clash."""
+    """Constraints that the facts alone break, with the facts that clash.
+
+    ``open_`` are predicates that what is not known yet may change such that a broken constraint is no longer so.
+    """
     for constraint in constraints:
         if any(not x.is_comparison and x.atom.indicator in open_ for x in constraint.body):
             continue

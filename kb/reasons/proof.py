@@ -96,9 +96,10 @@ class Proof:
     def to_json(self, most_steps: int = MOST_STEPS, deepest: int = DEEPEST_JSON) -> dict[str, Any]:
         """``{"fact": text, "by": "fact"|"rule"|"test"|"absence"|"check", "place": text, "because": […]}``.
 
-        A part that is used more than once has an ``id`` where it is spelled out, and elsewhere is ``{…, "as": id}``
-        with an empty ``because``. Where something is left out the whole has ``more``, the number of further steps, and
-        a part whose premises lie too deep ``"cut": true``.
+        A clause that cites something (``%: …``) has it under ``"cites"``. A part that is used more than once has an
+        ``id`` where it is spelled out, and elsewhere is ``{…, "as": id}`` with an empty ``because``. Where something is
+        left out the whole has ``more``, the number of further steps, and a part whose premises lie too deep
+        ``"cut": true``.
         """
         told = self._outline(most_steps, deepest)
         premises: list[list[dict[str, Any]]] = [[]]  # by depth, those of the last entry there
@@ -161,6 +162,8 @@ def _object(entry: Entry[Proof]) -> dict[str, Any]:
     """One step as JSON, its premises still to come."""
     proof = entry.node
     shown: dict[str, Any] = {"fact": _text(proof), "by": _kind(proof), "place": _place(proof) or None}
+    if _citation(proof):
+        shown["cites"] = _citation(proof)
     if entry.label:
         shown["as" if entry.above else "id"] = entry.label
     if entry.cut:
@@ -187,7 +190,8 @@ def _line(entry: Entry[Proof]) -> str:
         return f"{_text(proof)}   as above, [{entry.label}]"
     notes = {"fact": "given", "rule": "", "test": "compared", "absence": "not known", "check": proof.remark}
     label, cut = str(entry.label or ""), "…" if entry.cut else ""
-    return _text(proof) + "".join(f"   [{part}]" for part in (label, notes[_kind(proof)], _place(proof), cut) if part)
+    parts = (label, notes[_kind(proof)], _place(proof), _citation(proof), cut)
+    return _text(proof) + "".join(f"   [{part}]" for part in parts if part)
 
 
 def _text(proof: Proof) -> str:
@@ -207,3 +211,7 @@ def _place(proof: Proof) -> str:
         return ""
     file = proof.clause.place.file.rsplit("/", 1)[-1]
     return f"{file}:{proof.clause.place.line}"
+
+
+def _citation(proof: Proof) -> str:
+    return "" if proof.clause is None else proof.clause.place.citation

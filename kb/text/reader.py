@@ -11,6 +11,7 @@ from casper.kb.terms.origins import FactBlock
 from casper.kb.terms.terms import Compound, Term
 from casper.kb.text.bulk.facts import BlockReader
 from casper.kb.text.bulk.reader import read_large
+from casper.kb.text.citations import MARK, with_citations
 from casper.kb.text.files import read_utf8
 from casper.kb.text.parsing.conditions import ConditionParser
 from casper.kb.text.parsing.places import Places, excerpt
@@ -35,11 +36,15 @@ def read_text(
     Raises:
         ReadError: with file, line, column and a caret under the first thing that is not of the language.
     """
-    return _read(text.removeprefix("\ufeff"), file, STANDARD.copy() if operators is None else operators, told, None)
+    text = text.removeprefix("\ufeff")
+    sentences = _read(text, file, STANDARD.copy() if operators is None else operators, told, None)
+    return with_citations(sentences, text) if MARK in text else sentences
 
 
 def read_blocks(text: str, file: str = "<text>") -> tuple[list[Sentence], list[FactBlock]]:
     """As `read_text`, with the long runs of plain facts of a large text as blocks of rows, not as sentences."""
+    if MARK in text:  # what cites something needs a clause that says so
+        return read_text(text, file), []
     text = text.removeprefix("\ufeff")
     reader = BlockReader(text, file)
     return _read(text, file, STANDARD.copy(), None, reader), reader.blocks()

@@ -20,6 +20,7 @@ from casper.cli.asking.query import query
 from casper.cli.asking.repl import repl
 from casper.cli.asking.verify import verify
 from casper.cli.authoring.check import check
+from casper.cli.authoring.import_ import import_
 from casper.cli.authoring.train import train
 from casper.cli.terminal.plain import settle_streams, visible
 from casper.cli.watching.run import run
@@ -34,8 +35,10 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,  # plain help: nothing is cut off in a narrow terminal, and no text is taken for markup
 )
-for command in (run, explain, verify, query, repl, watch, check, train):
-    app.command(short_help=(command.__doc__ or "").split("\n")[0])(command)  # a sentence in whole, not its beginning
+for command in (run, explain, verify, query, repl, watch, check, train, import_):
+    name = command.__name__.rstrip("_")
+    # a sentence in whole, not its beginning
+    app.command(name, short_help=(command.__doc__ or "").split("\n")[0])(command)
 
 
 @app.callback(invoke_without_command=True)

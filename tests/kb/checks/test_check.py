@@ -242,3 +242,27 @@ def test_there_are_errors_exactly_when_a_text_cannot_be_loaded(text, data):
         assert errors, mistake
     else:
         assert errors == []
+
+
+def test_a_constraint_that_the_facts_break_is_told_though_more_facts_may_come():
+    text = ':- dynamic(kitten/1). cat(X) :- kitten(X). cat(tom). dog(tom). never("no cat is a dog") :- cat(X), dog(X).'
+    assert [message for message in map(str, check_text(text)) if "the facts break" in message] != []
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "cat(X), \\+ fed(X)",  # a fact to come may undo it
+        "hungry(X)",
+        "cat(X), did(miaow(X), _)",
+    ],
+)
+def test_a_constraint_that_facts_to_come_may_mend_is_not_told(body):
+    text = f':- dynamic(fed/1). cat(tom). hungry(X) :- cat(X), \\+ fed(X). never("cats are fed") :- {body}.'
+    assert [message for message in map(str, check_text(text)) if "the facts break" in message] == []
+
+
+def test_a_rule_that_cites_where_it_comes_from_needs_no_cases():
+    rules = "cat(tom). :- dynamic(p/0). big(X) :- cat(X), X \\= tom."
+    assert any("gives nothing" in str(f) for f in check_text(rules))
+    assert not any("gives nothing" in str(f) for f in check_text(f"{rules}  %: Big SubClassOf Cat"))

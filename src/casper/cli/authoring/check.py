@@ -19,18 +19,24 @@ def check(domain: DomainName, as_json: AsJson = False) -> None:
 
     Exit code 0 without errors (there may be warnings and notes), 1 with errors, 2 when there is no such domain.
     """
-    from casper.cli.terminal.output import print_json
     from casper.engine.domain.check import check_domain
     from casper.engine.domain.domain import SHIPPED, find_domain
     from casper.kb.checks.finding import Severity
 
     findings = check_domain(domain)
+    show_findings(findings, (find_domain(domain), SHIPPED), as_json)
+    raise typer.Exit(1 if any(f.severity is Severity.ERROR for f in findings) else 0)
+
+
+def show_findings(findings: Sequence[Finding], folders: Sequence[Path], as_json: bool) -> None:
+    """Print findings, one object a line or for a person; lines of files are shown of those in the folders only."""
+    from casper.cli.terminal.output import print_json
+
     if as_json:
         for finding in findings:
             print_json(_json(finding))
     else:
-        _show(findings, (find_domain(domain), SHIPPED))
-    raise typer.Exit(1 if any(f.severity is Severity.ERROR for f in findings) else 0)
+        _show(findings, folders)
 
 
 def _json(finding: Finding) -> dict[str, Any]:

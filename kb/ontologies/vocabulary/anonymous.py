@@ -1,0 +1,51 @@
+"""Individuals without a name: numbered by what is said of them, so that every syntax gives them the same number."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from casper.kb.ontologies.citing import cited
+from casper.kb.ontologies.expressions import Anonymous, Axiom, Expression, Ontology, Part, parts_of
+
+_MOST_ROUNDS = 10
+
+
+def relabelled(ontology: Ontology, label: Callable[[str], str]) -> None:
+    """Give every anonymous individual another label."""
+    ontology.axioms = [Axiom(_renamed(x.expression, label), x.place, x.label) for x in ontology.axioms]  # type: ignore[arg-type]
+
+
+def number_anonymous(ontology: Ontology) -> None:
+    """Label anonymous individuals ``1``, ``2``, …: those that differ in what is said of them in a fixed order."""
+    about: dict[str, list[Expression]] = {}
+    for axiom in ontology.axioms:
+        for part in parts_of(axiom.expression):
+            if isinstance(part, Anonymous):
+                about.setdefault(part.label, []).append(axiom.expression)
+    colours = dict.fromkeys(about, 0)
+    for _ in range(_MOST_ROUNDS):
+        finer = _refined(about, colours)
+        if len(set(finer.values())) == len(set(colours.values())):
+            break
+        colours = finer
+    order = {label: str(number) for number, label in enumerate(sorted(about, key=lambda x: (colours[x], x)), 1)}
+    relabelled(ontology, order.__getitem__)
+
+
+def _refined(about: Mapping[str, list[Expression]], colours: Mapping[str, int]) -> dict[str, int]:
+    """The colour of each by what is said of it, with the colours so far in the place of labels."""
+
+    def told(own: str, expression: Expression) -> str:
+        return cited(_renamed(expression, lambda other: "" if other == own else str(colours[other])))
+
+    keys = {label: (colours[label], *sorted(told(label, x) for x in said)) for label, said in about.items()}
+    numbers = {key: number for number, key in enumerate(sorted(set(keys.values())))}
+    return {label: numbers[keys[label]] for label in about}
+
+
+def _renamed(part: Part, label: Callable[[str], str]) -> Part:
+    if isinstance(part, Anonymous):
+        return Anonymous(label(part.label))
+    if isinstance(part, Expression):
+        return Expression(part.name, tuple(_renamed(arg, label) for arg in part.args))
+    return part
