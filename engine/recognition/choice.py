@@ -20,7 +20,6 @@ from casper.engine.recognition.kernels.chains import Chains
 from casper.engine.recognition.kernels.counting import Counting
 from casper.engine.recognition.kernels.interleaving import Interleaving
 from casper.engine.recognition.kernels.kernel import Kernel
-from casper.engine.recognition.kernels.levels import MOST_STATES
 from casper.engine.recognition.options import Options
 from casper.engine.recognition.scoring import paper
 from casper.engine.recognition.teller import Teller
@@ -109,7 +108,7 @@ TABLE = (
         "one goal whatever its plans and its matcher are: state by state",
         lambda w: w.one_goal,
         lambda w: Counting(
-            w.plans, w.matcher, w.options.noise, w.priors, w.options.measure, w.options.budget or MOST_STATES
+            w.plans, w.matcher, w.options.noise, w.priors, w.options.measure, w.options.budget
         ),
     ),
     Row(

@@ -14,9 +14,8 @@ from typing import Any
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.recognition.kernels.counting import Counting
 from casper.engine.recognition.kernels.interleaving import Interleaving
-from casper.engine.recognition.kernels.kernel import Kernel, Listing, Marks, Path, Plans
-from casper.engine.recognition.kernels.levels import MOST_STATES
-from casper.engine.recognition.kernels.states import split
+from casper.engine.recognition.kernels.kernel import Kernel, Marks, Path, Plans
+from casper.engine.recognition.kernels.marks import split
 from casper.engine.verification.matching import Matcher, NameMatcher
 from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
@@ -62,7 +61,7 @@ class Explanations:
 
     def _paths(self, plans: Plans) -> Iterator[Path]:
         """The explanations of exactly these plans, best first."""
-        if isinstance(self.kernel, Listing):
+        if isinstance(self.kernel, Counting):
             yield from self.kernel.paths(self.level, plans)
             return
         chosen = [self.kernel.plans[plan] for plan in plans]
@@ -106,10 +105,10 @@ def listing(
     matcher: Matcher,
     priors: Sequence[float] | None = None,
     budget: int | None = None,
-) -> Listing[Any]:
+) -> Counting:
     """A kernel that counts these plans as the given one counts its own, and can list."""
     if not kernel.several:
-        return Counting(plans, matcher, kernel.noise, priors, kernel.measure, budget or MOST_STATES)
+        return Counting(plans, matcher, kernel.noise, priors, kernel.measure, budget)
     return Interleaving(plans, matcher, kernel.goals, kernel.noise, priors, kernel.measure, budget)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.recognition.kernels.kernel import Kernel, Parts, Plans
-from casper.engine.recognition.kernels.states import is_certain
+from casper.engine.recognition.kernels.moves import is_certain
 from casper.engine.recognition.listing import Explanations, levels_of, listing
 from casper.engine.recognition.standing import Standing
 from casper.engine.verification.matching import Matcher, Mismatch

@@ -16,7 +16,7 @@ from typing import TypeAlias
 
 from casper.engine.recognition.kernels.kernel import Kernel, Leading, Marks, Parts, Plans, Top
 from casper.engine.recognition.kernels.marks import leftmost
-from casper.engine.recognition.kernels.states import positions_of
+from casper.engine.recognition.kernels.moves import positions_of
 from casper.engine.verification.matching import Matcher
 from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan

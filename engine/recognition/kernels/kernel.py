@@ -99,7 +99,7 @@ class Kernel(ABC, Generic[L]):
 
     def posterior(self, level: L) -> Mapping[str, float]:
         """Each goal's share of all weights."""
-        return posterior_by(self.labels, self.masses(level))
+        return posterior_by(self.labels, self.masses(level), self.total(level))
 
     def total(self, level: L) -> float:
         """The sum of all weights."""
@@ -165,13 +165,3 @@ class Kernel(ABC, Generic[L]):
         same = [top for top in equal if top[1] == plans or self.goals_of(top[1]) == goals]
         ties, ours = sum([top[3] for top in equal]), sum([top[3] for top in same])
         return weight, plans, min([top[2] for top in same]), ties - ours, ties
-
-
-class Listing(Kernel[L]):
-    """A kernel that keeps what led to each of its states."""
-
-    asks = True
-
-    @abstractmethod
-    def paths(self, level: L, plans: Plans) -> Iterator[Path]:
-        """The explanations of exactly these plans, best first, lazily; equal ones in the order of their marks."""
