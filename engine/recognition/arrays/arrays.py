@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from threading import Lock
 from typing import Any
 
-from casper.engine.recognition.arrays.leaves import leaves_by_name
+from casper.engine.recognition.arrays.leaves import Leaves, leaves_by_name
 from casper.engine.recognition.arrays.shared import EXACT_LEAVES, Array, OnArrays, Ties, exactly
 from casper.engine.recognition.kernels.kernel import Leading, Marks, Parts, Plans
 from casper.engine.recognition.kernels.marks import leftmost
@@ -34,7 +34,7 @@ class Level:
     among the leaves of the name), how many, and the score of each."""
 
     k: int
-    action: str | None
+    action: str
     counts: Array
     living: tuple[Array, Array, Array] | None = None
 
@@ -48,18 +48,19 @@ class Arrays(OnArrays[Level]):
         lengths = np.array([len(plan.leaves) for plan in plans])
         self._type = np.int64 if lengths.max() <= EXACT_LEAVES else object
         self._names = leaves_by_name(np, plans, lengths)
+        self._names[""] = Leaves(*[np.zeros(0, np.int64)] * 7)  # before anything was seen
         self._room = KEPT * int(lengths.sum())
         self._kept: OrderedDict[tuple[Any, ...], tuple[Array, ...]] = OrderedDict()
         self._lock = Lock()
 
     def begin(self) -> Level:
         """Every plan counts once."""
-        return Level(0, None, self.np.ones(len(self.plans), self._type))
+        return Level(0, "", self.np.ones(len(self.plans), self._type), (self._names[""].at,) * 3)
 
     def advance(self, level: Level, seen: Seen, matcher: Matcher) -> Level:
         """The plans that have the action go on."""
         np, last, action = self.np, level.action, seen.action
-        if last is None:
+        if not last:
             return Level(1, action, np.ones(len(self._names[action].at), self._type))
         upto, since = self._cut(last, action)
         running = np.empty(len(level.counts) + 1, self._type)
@@ -97,7 +98,7 @@ class Arrays(OnArrays[Level]):
 
     def alive(self, level: Level) -> set[int]:
         """The plans of the leaves that have counts."""
-        if level.action is None:
+        if not level.k:
             return set(range(len(self.plans)))
         return set(self._names[level.action].plan[level.counts > 0].tolist())
 
@@ -107,7 +108,7 @@ class Arrays(OnArrays[Level]):
 
     def _living(self, level: Level) -> tuple[Array, Array, Array]:
         if level.living is None:
-            counts, scores = level.counts, self._scores(level.action or "", level.k)
+            counts, scores = level.counts, self._scores(level.action, level.k)
             at = self.np.flatnonzero(counts)
             level.living = (at, counts, scores) if len(at) == len(counts) else (at, counts.take(at), scores.take(at))
         return level.living
@@ -115,9 +116,9 @@ class Arrays(OnArrays[Level]):
     def masses(self, level: Level) -> Array:
         """Per plan the sum of the weights of its explanations."""
         np, sums = self.np, self.np.zeros(len(self.plans))
-        if level.action is None or not len(self._living(level)[0]):
-            return sums
         (at, counts, scores), here = self._living(level), self._names[level.action]
+        if not len(at):
+            return sums
         mass = np.multiply(counts, scores, dtype=float if self._type is not object else object)
         mass = mass.astype(float, copy=False)
         if len(at) == len(here.at):
@@ -129,23 +130,18 @@ class Arrays(OnArrays[Level]):
     def _weights(self, level: Level) -> Array:
         """Of the leaves in which explanations end: the weight of each."""
         at, _, scores = self._living(level)
-        if level.action is None or self.evenly:
-            return scores
-        return scores * self.prior[self._names[level.action].plan.take(at)]
+        return scores if self.evenly else scores * self.prior[self._names[level.action].plan.take(at)]
 
     def best(self, level: Level) -> tuple[float, Plans] | None:
         """The best explanation ends in the first leaf of the greatest weight."""
-        if level.action is None or not len(self._living(level)[0]):
-            return None
         weights = self._weights(level)
+        if not len(weights):
+            return None
         first = int(weights.argmax())
         return float(weights[first]), (int(self._names[level.action].plan[self._living(level)[0][first]]),)
 
     def nearest(self, level: Level, most: int) -> Ties:
         """All ends of explanations; none of them needs to know how many observations are marked at most."""
-        if level.action is None:
-            none = self.np.zeros(0, self.np.int64)
-            return Ties(none.astype(float), none, none, none, none)
         (at, counts, _), weights, here = self._living(level), self._weights(level), self._names[level.action]
         near = self.np.flatnonzero(weights >= least_tie(weights.max(initial=0.0)))  # fewer to look at below
         at = at.take(near)
@@ -159,8 +155,6 @@ class Arrays(OnArrays[Level]):
 
     def tops(self, level: Level, most: int | None = None) -> list[tuple[float, Plans]]:
         """By plan, what the best explanation weighs: its leftmost end scores most."""
-        if level.action is None:
-            return []
         plans = self._names[level.action].plan[self._living(level)[0]]
         plans, first = self.np.unique(plans, return_index=True)
         return [(weight, (plan,)) for weight, plan in zip(self._weights(level)[first].tolist(), plans.tolist())]
@@ -171,8 +165,6 @@ class Arrays(OnArrays[Level]):
 
     def ends(self, level: Level) -> Iterator[tuple[Parts, float]]:
         """By leaf of the last name."""
-        if level.action is None:
-            return
         (at, counts, _), here = self._living(level), self._names[level.action]
         masses = counts * self._weights(level)
         closed = here.at.take(at) - here.begin.take(at) + 1

@@ -21,8 +21,8 @@ ties are exact, sums of scores agree to a relative 1e-12.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 from casper.engine.recognition.arrays.blocks import Layout, Leaves, Table
 from casper.engine.recognition.arrays.shared import Array, OnArrays, Prices, Ties, exactly
@@ -35,18 +35,13 @@ from casper.plans.trees.plan import Plan
 CLOSE = 1 - 1e-9  # weights this near to the best may be equal to it as floats, now or later
 
 
-@dataclass(frozen=True, slots=True)
-class Ends:
+class Ends(NamedTuple):
     """Where explanations end, each with what all of them share. Shapes: (ends,)."""
 
     at: Array  # leaf, as `Leaves.at`
     marked: Array  # observations
     number: Array  # explanations
     weight: Array  # of each of them
-
-    def where(self, which: Array) -> Ends:
-        """Some of them."""
-        return Ends(*(getattr(self, field.name)[which] for field in fields(self)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,13 +117,10 @@ class NoisyArrays(OnArrays[Level]):
         old = self.weights_at(before.at[stay], before.marked[stay], most)
         least = CLOSE * max(new.max(initial=0.0), old.max(initial=0.0))
         kept, added = np.flatnonzero(old >= least), np.flatnonzero(new >= least)
-        parts = (
-            (before.at[stay[kept]], here.at[added]),
-            (before.marked[stay[kept]], marked[added]),
-            (before.number[stay[kept]], counts[marked[added] - 1, added]),
-            (old[kept], new[added]),
-        )
-        return Ends(*map(np.concatenate, parts))
+        stay = stay[kept]
+        left = Ends(before.at[stay], before.marked[stay], before.number[stay], old[kept])
+        come = Ends(here.at[added], marked[added], counts[marked[added] - 1, added], new[added])
+        return Ends(*map(np.concatenate, zip(left, come)))
 
     # --- what was counted ------------------------------------------------------------------------------------------
 
@@ -163,7 +155,7 @@ class NoisyArrays(OnArrays[Level]):
             at = self._layout.leaves(name).at[leaves]
             weights = self.weights_at(at, marks + 1, level.most if most is None else most)
             parts.append(Ends(at, marks + 1, counts[marks, leaves], weights))
-        return Ends(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(Ends)))
+        return Ends(*map(np.concatenate, zip(*parts)))
 
     def _plans(self, ends: Ends) -> tuple[Array, Array]:
         """The plans and leaves of ends."""

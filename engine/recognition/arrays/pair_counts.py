@@ -127,7 +127,7 @@ class PairCounts:
                 number = wide(np, block[row, marked, column])
                 ends = Ends(states.named[name].at[row], states.named[other].at[column], marked + 1, number)
                 found.append(ends if name != other else ends.where(states.plan[ends.x] < states.plan[ends.y]))
-        return Ends.joined(np, found)
+        return Ends(*map(np.concatenate, zip(*found)))
 
     def _kind(self) -> str:
         largest = self.largest * (2 * self._states.longest + 1)

@@ -131,7 +131,7 @@ class Pairs(OnArrays[Level]):
         ends = new
         if self.noise is not None:
             code, name = self._states.code, self._states.code[here[0]]
-            ends = Ends.joined(self.np, [before.where((code[before.x] != name) & (code[before.y] != name)), new])
+            ends = Ends(*map(self.np.concatenate, zip(before.where((code[before.x] != name) & (code[before.y] != name)), new)))
         weights = self._weights(ends, most)
         return ends.where(weights >= CLOSE * weights.max(initial=0.0))
 
@@ -179,14 +179,9 @@ class Pairs(OnArrays[Level]):
         alone = self.single.nearest(level.alone, level.most)
         p, q = states.plan[ends.x], states.plan[ends.y]
         missed = states.closed[ends.x] + states.closed[ends.y] - ends.marked
-        parts = (
-            (alone.weight, self._weights(ends, level.most)),
-            (alone.plan, np.minimum(p, q)),
-            (alone.second, np.maximum(p, q)),
-            (alone.missed, missed),
-            (wide(np, alone.number), ends.number),
-        )
-        return Ties(*map(np.concatenate, parts)).leading(np, self.goal)
+        pairs = (self._weights(ends, level.most), np.minimum(p, q), np.maximum(p, q), missed, ends.number)
+        alone = alone._replace(number=wide(np, alone.number))
+        return Ties(*map(np.concatenate, zip(alone, pairs))).leading(np, self.goal)
 
     def tops(self, level: Level) -> Iterator[tuple[float, Plans]]:
         """What the best explanation weighs of each plan, and of each pair of plans that explains anything."""

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, NamedTuple, TypeAlias, TypeVar
 
 from casper.engine.recognition.kernels.kernel import Kernel, Leading
 from casper.engine.recognition.scoring import least_tie
@@ -88,8 +87,7 @@ def exactly(np: Any, counts: Array) -> int:
     return (int((counts >> 32).sum()) << 32) + int((counts & 0xFFFFFFFF).sum())
 
 
-@dataclass(frozen=True, slots=True)
-class Ties:
+class Ties(NamedTuple):
     """Ends, the best among them. Shapes: (ends,); ``second`` is the plan of a second goal, which comes later in the
     library, or -1."""
 
@@ -105,14 +103,11 @@ class Ties:
             return None
         top = self.weight.max()
         ties = np.flatnonzero(self.weight >= least_tie(top))
-        weight, plan, second, missed, number = (
-            part[ties] for part in (self.weight, self.plan, self.second, self.missed, self.number)
-        )
+        weight, plan, second, missed, number = (part[ties] for part in self)
         heaviest = np.flatnonzero(weight == top)
         first = heaviest[np.lexsort((second[heaviest], plan[heaviest]))[0]]
         one, other = goal[plan], np.where(second < 0, -1, goal[second])
         low, high = np.minimum(one, other), np.maximum(one, other)
         same = (low == low[first]) & (high == high[first])
         plans = (int(plan[first]),) if second[first] < 0 else (int(plan[first]), int(second[first]))
-        rivals, every = exactly(np, number[~same]), exactly(np, number)
-        return float(top), plans, int(missed[same].min()), rivals, every
+        return float(top), plans, int(missed[same].min()), exactly(np, number[~same]), exactly(np, number)
