@@ -12,10 +12,8 @@ from itertools import count
 from typing import Any
 
 from casper.engine.explanation.explanation import Explanation, Interleaved
-from casper.engine.recognition.kernels.counting import Counting
-from casper.engine.recognition.kernels.interleaving import Interleaving
-from casper.engine.recognition.kernels.kernel import Kernel, Marks, Path, Plans
-from casper.engine.recognition.kernels.marks import split
+from casper.engine.recognition.kernels.counting import Counting, Interleaving
+from casper.engine.recognition.kernels.kernel import NEEDLESS, Kernel, Marks, Path, Plans
 from casper.engine.verification.matching import Matcher, NameMatcher
 from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
@@ -73,7 +71,8 @@ class Explanations:
             yield Path(parts, path.needless, path.size, path.missed)
 
     def _marked(self, plan: int, marks: Marks) -> Path:
-        leaves, needless = split(marks)
+        leaves = tuple([leaf for leaf in marks if leaf != NEEDLESS])
+        needless = tuple([at for at, leaf in enumerate(marks) if leaf == NEEDLESS])
         size, missed = len(self.kernel.plans[plan].leaves), leaves[-1] + 1 - len(leaves)
         return Path(((plan, leaves, self.kernel.binding(plan)),), needless, size, missed)
 

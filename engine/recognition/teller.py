@@ -32,8 +32,6 @@ class Teller:
         self.observations: list[Seen] = []
         self._levels: list[Any] = [kernel.begin()]
 
-    # --- observing -------------------------------------------------------------------------------------------------
-
     def observe(self, seen: Seen) -> None:
         """Take in an observation; where nothing comes of it because something raised, nothing was taken in."""
         kernel = self.kernel
@@ -65,8 +63,6 @@ class Teller:
         other.kernel, other.matcher = self.kernel, self.matcher.fork()
         other.observations, other._levels = self.observations.copy(), self._levels.copy()
         return other
-
-    # --- what the counts say ---------------------------------------------------------------------------------------
 
     @property
     def level(self) -> Any:
@@ -117,8 +113,6 @@ class Teller:
             whole = self.kernel.total(self._levels[-1])
             for parts, mass in self.kernel.ends(self._levels[-1]):
                 yield parts, mass / whole if whole else 0.0
-
-    # --- single explanations ---------------------------------------------------------------------------------------
 
     def first(self, goal: str | None = None) -> Explanation | Interleaved | None:
         """The best explanation, of all or of a goal (goals pursued together are joined by " + "); None for none."""

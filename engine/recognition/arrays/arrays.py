@@ -94,8 +94,6 @@ class Arrays(OnArrays[Level]):
                 self._kept.popitem(last=False)
         return arrays
 
-    # --- what was counted ------------------------------------------------------------------------------------------
-
     def alive(self, level: Level) -> set[int]:
         """The plans of the leaves that have counts."""
         if not level.k:
@@ -103,7 +101,6 @@ class Arrays(OnArrays[Level]):
         return set(self._names[level.action].plan[level.counts > 0].tolist())
 
     def count(self, level: Level) -> int:
-        """The sum of all counts."""
         return exactly(self.np, level.counts)
 
     def _living(self, level: Level) -> tuple[Array, Array, Array]:
@@ -114,7 +111,6 @@ class Arrays(OnArrays[Level]):
         return level.living
 
     def masses(self, level: Level) -> Array:
-        """Per plan the sum of the weights of its explanations."""
         np, sums = self.np, self.np.zeros(len(self.plans))
         (at, counts, scores), here = self._living(level), self._names[level.action]
         if not len(at):
@@ -150,7 +146,6 @@ class Arrays(OnArrays[Level]):
         return Ties(weights.take(near), plan, self.np.full(len(plan), -1), missed, counts.take(near))
 
     def leading(self, level: Level) -> Leading | None:
-        """The best explanation and its rivals."""
         return self.nearest(level, level.k).leading(self.np, self.goal)
 
     def tops(self, level: Level, most: int | None = None) -> list[tuple[float, Plans]]:

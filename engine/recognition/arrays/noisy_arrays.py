@@ -122,8 +122,6 @@ class NoisyArrays(OnArrays[Level]):
         come = Ends(here.at[added], marked[added], counts[marked[added] - 1, added], new[added])
         return Ends(*map(np.concatenate, zip(left, come)))
 
-    # --- what was counted ------------------------------------------------------------------------------------------
-
     def alive(self, level: Level) -> set[int]:
         """The plans that have one of the names."""
         found = self.np.full(len(self.plans), not level.k)
@@ -140,7 +138,6 @@ class NoisyArrays(OnArrays[Level]):
         return level.k - level.most
 
     def masses(self, level: Level) -> Array:
-        """Per plan the sum of the weights of its explanations."""
         found = self.np.empty(len(self.plans))
         found[self._layout.order] = level.mass * self._prior
         return found
@@ -170,11 +167,9 @@ class NoisyArrays(OnArrays[Level]):
         return Ties(weight, plan, self.np.full(len(plan), -1), leaf + 1 - ends.marked, ends.number)
 
     def leading(self, level: Level) -> Leading | None:
-        """The best explanation and its rivals."""
         return self.nearest(level, level.most).leading(self.np, self.goal)
 
     def tops(self, level: Level, most: int | None = None) -> list[tuple[float, Plans]]:
-        """By plan, what the best explanation weighs."""
         ends, weights = self._ends(level, most, furthest=True), self.np.full(len(self.plans), -1.0)
         self.np.maximum.at(weights, self._plans(ends)[0], ends.weight)
         plans = self.np.flatnonzero(weights >= 0)

@@ -131,11 +131,10 @@ class Pairs(OnArrays[Level]):
         ends = new
         if self.noise is not None:
             code, name = self._states.code, self._states.code[here[0]]
-            ends = Ends(*map(self.np.concatenate, zip(before.where((code[before.x] != name) & (code[before.y] != name)), new)))
+            left = before.where((code[before.x] != name) & (code[before.y] != name))
+            ends = Ends(*map(self.np.concatenate, zip(left, new)))
         weights = self._weights(ends, most)
         return ends.where(weights >= CLOSE * weights.max(initial=0.0))
-
-    # --- what was counted ------------------------------------------------------------------------------------------
 
     def count(self, level: Level) -> int:
         """Explanations of one goal, and of two."""
@@ -164,17 +163,14 @@ class Pairs(OnArrays[Level]):
         return float(self.price**behind)
 
     def masses(self, level: Level) -> Array:
-        """Per plan the sum of the weights of the explanations that it takes part in."""
         pairs, alone = self._sums(level)
         found: Array = pairs.sum(axis=0) + pairs.sum(axis=1) + alone
         return found
 
     def total(self, level: Level) -> float:
-        """The sum of all weights, each explanation once."""
         return float(sum(part.sum() for part in self._sums(level)))
 
     def leading(self, level: Level) -> Leading | None:
-        """The best explanation and its rivals, of other sets of goals."""
         np, states, ends = self.np, self._states, level.best
         alone = self.single.nearest(level.alone, level.most)
         p, q = states.plan[ends.x], states.plan[ends.y]

@@ -30,12 +30,10 @@ class OnArrays(Kernel[L]):
         self._own_goal = len(self.index) == len(plans)
 
     def total(self, level: L) -> float:
-        """The sum of all weights."""
         masses: Array = self.masses(level)
         return float(masses.sum())
 
     def posterior(self, level: L) -> Mapping[str, float]:
-        """Each goal's share of all weights."""
         masses: Array = self.masses(level)
         whole = self.total(level) if self.several else masses.sum()
         shares = masses if self._own_goal else self.np.bincount(self.goal, masses, len(self.index))

@@ -22,11 +22,12 @@ from itertools import groupby
 from math import prod
 from typing import TypeAlias
 
-from casper.engine.recognition.kernels.kernel import NEEDLESS, Leading, Parts, Path, Plans
-from casper.engine.recognition.kernels.levels import Level, Levels, Node
+from casper.engine.recognition.kernels.kernel import NEEDLESS, Leading, Parts, Path, Plans, best_of
+from casper.engine.recognition.kernels.levels import Ended, Level, Levels, Node
 from casper.engine.recognition.kernels.paths import best_first
-from casper.engine.recognition.scoring import least_tie
-from casper.engine.verification.matching import Mismatch
+from casper.engine.recognition.scoring import Score, paper
+from casper.engine.verification.matching import Matcher, Mismatch
+from casper.plans.trees.plan import Plan
 
 End: TypeAlias = tuple[Plans, Node]
 Mark: TypeAlias = tuple[int, int]  # plan and leaf; (NEEDLESS, NEEDLESS)
@@ -36,35 +37,32 @@ class Counting(Levels):
     """What the counts of some plans say, whose shapes may be anything (arguments: `levels.Levels`)."""
 
     def count(self, level: Level) -> int:
-        """The number of explanations; before the first observation, of plans."""
         if not level.k:
             return len(self.starts)
         return sum([sum(nodes.values()) for plans, nodes in level.counts.items() if plans])
 
     def alive(self, level: Level) -> set[int]:
-        """The plans that are pursued somewhere."""
         return {plan for plans in level.counts for plan in plans} if level.k else set(self.starts)
 
     def least(self, level: Level) -> int:
-        """The fewest needless observations of an explanation."""
         if self.noise is None:
             return 0
         return min((node[0] for plans, nodes in level.counts.items() if plans for node in nodes), default=0)
 
-    def _ends(self, level: Level) -> list[tuple[float, Plans, Node]]:
-        """What an explanation weighs that ends in each node, but for likelihoods; and the sums of these, on the way.
-
-        The scores of equal denominators are summed as integers: so sums are exact unless weighed.
-        """
+    def weighed(self, level: Level) -> list[Ended]:
+        """What ends in each node; and the sums of all weights, on the way."""
         if level.ends is None:
-            least, ends = self.least(level), list[tuple[float, Plans, Node]]()
+            least, ends = self.least(level), list[Ended]()
             level.sums = {plans: self._summed(level, plans, least, ends) for plans in level.counts if plans}
             level.ends = ends
         return level.ends
 
-    def _summed(self, level: Level, plans: Plans, least: int, ends: list[tuple[float, Plans, Node]]) -> float:
+    def _summed(self, level: Level, plans: Plans, least: int, ends: list[Ended]) -> float:
+        """The sum of the weights of what these plans explain, each end written down.
+
+        The scores of equal denominators are summed as integers: so sums are exact unless weighed.
+        """
         k, measure, price, prior = level.k, self.measure, self.noise or 1.0, prod([self.priors[p] for p in plans])
-        weights = None if level.weights is None else level.weights[plans]
         exact: dict[tuple[int, int], float] = {}  # by denominator and needless observations
         for node, number in level.counts[plans].items():
             needless, size, missed = node[0], 0, 0
@@ -73,14 +71,13 @@ class Counting(Levels):
                 missed += state[3]
             above, below = measure(size, k - needless, missed)
             score = above / below if needless == least else price ** (needless - least) * (above / below)
-            ends.append((prior * score, plans, node))
-            key, mass = (below, needless), number if weights is None else weights[node][0]
-            exact[key] = exact.get(key, 0) + mass * above
+            mass, largest, ties = (number, 1.0, number) if level.weights is None else level.weights[plans][node]
+            ends.append((prior * score * largest, plans, missed, ties, node))
+            exact[below, needless] = exact.get((below, needless), 0) + mass * above
         return prior * sum([total / below * price ** (needless - least) for (below, needless), total in exact.items()])
 
     def masses(self, level: Level) -> list[float]:
-        """Per plan the sum of the weights of the explanations that it takes part in."""
-        self._ends(level)
+        self.weighed(level)
         found = [0.0] * len(self.plans)
         for plans, mass in level.sums.items():
             for plan in plans:
@@ -88,46 +85,26 @@ class Counting(Levels):
         return found
 
     def total(self, level: Level) -> float:
-        """The sum of all weights, each explanation once."""
-        self._ends(level)
+        self.weighed(level)
         return sum(level.sums.values())
 
-    def weighed(self, level: Level) -> list[tuple[float, Plans, Node]]:
-        """What the best explanation weighs that ends in each node."""
-        ends, weights = self._ends(level), level.weights
-        if weights is None:
-            return ends
-        return [(weight * weights[plans][node][1], plans, node) for weight, plans, node in ends]
-
     def leading(self, level: Level) -> Leading | None:
-        """The best explanation, and its rivals: those of other goals."""
-        found, numbers = self.weighed(level), level.weights
-        least = least_tie(max([weight for weight, _, _ in found], default=0.0))
-        return self.leading_of([
-            (weight, plans, sum([state[3] for state in node[1:]]),
-             level.counts[plans][node] if numbers is None else numbers[plans][node][2])
-            for weight, plans, node in found if weight >= least
-        ])  # fmt: skip
+        return self.leading_of([end[:4] for end in best_of(self.weighed(level))])
 
-    def tops(self, level: Level) -> Iterator[tuple[float, Plans]]:
-        """What the best explanation weighs that ends in each node."""
-        return ((weight, plans) for weight, plans, _ in self.weighed(level))
+    def tops(self, level: Level) -> list[tuple[float, Plans]]:
+        return [end[:2] for end in self.weighed(level)]
 
     def ends(self, level: Level) -> Iterator[tuple[Parts, float]]:
-        """By node, best first but for likelihoods."""
-        for weight, plans, node in sorted(self._ends(level), key=_rank):
-            number = level.counts[plans][node] if level.weights is None else level.weights[plans][node][0]
-            yield tuple([(plan, state[0], state[4]) for plan, state in zip(plans, node[1:])]), weight * number
+        for weight, plans, _, number, node in sorted(self.weighed(level), key=_rank):
+            mass, largest, _ = (number, 1.0, number) if level.weights is None else level.weights[plans][node]
+            parts = tuple([(plan, state[0], state[4]) for plan, state in zip(plans, node[1:])])
+            yield parts, weight / largest * mass if largest else 0.0
 
     def mismatches(self, level: Level) -> Mapping[int, Sequence[Mismatch]]:
-        """By plan, why it could not go on."""
         return level.noted
 
     def is_exact(self, level: Level) -> bool:
-        """Whether no node was dropped."""
         return level.exact
-
-    # --- single explanations ---------------------------------------------------------------------------------------
 
     def paths(self, level: Level, plans: Plans) -> Iterator[Path]:
         """The explanations of exactly these plans, best first, lazily; equal ones in the order of their marks."""
@@ -161,8 +138,31 @@ class Counting(Levels):
                             yield (others, earlier), (plan, leaf), likelihood
 
 
-def _rank(end: tuple[float, Plans, Node]) -> tuple[float, Plans, list[int]]:
-    weight, plans, node = end
+class Interleaving(Counting):
+    """Counts explanations of up to so many goals at once: every observation is a step of one of those pursued.
+
+    For two goals all nodes are kept, and everything is exact; for more, and where even those of two are too many, it is
+    a best-first search that says so.
+    """
+
+    several = True
+
+    def __init__(
+        self,
+        plans: Sequence[Plan],
+        matcher: Matcher,
+        goals: int = 2,
+        noise: float | None = None,
+        priors: Sequence[float] | None = None,
+        measure: Score = paper,
+        budget: int | None = None,
+    ) -> None:
+        super().__init__(plans, matcher, noise, priors, measure, budget, goals)
+
+
+def _rank(end: Ended) -> tuple[float, Plans, list[int]]:
+    """Best first, then in the order of the library, and of the leaves."""
+    weight, plans, _, _, node = end
     return -weight, plans, [state[0] for state in node[1:]]
 
 

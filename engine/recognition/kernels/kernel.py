@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Generic, NamedTuple, TypeAlias, TypeVar
+from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
 
 from casper.engine.recognition.scoring import Score, least_tie, paper, posterior_by
 from casper.engine.verification.matching import Binding, Matcher, Mismatch
@@ -17,6 +17,7 @@ from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
 
 L = TypeVar("L")
+T = TypeVar("T", bound=tuple[Any, ...])
 Plans: TypeAlias = tuple[int, ...]  # the plans pursued, one for each goal, in the order of the library
 Parts: TypeAlias = tuple[tuple[int, int, Binding], ...]  # per plan pursued: plan, mask of closed leaves, binding
 Marks: TypeAlias = tuple[int, ...]  # a leaf for every observation, or NEEDLESS
@@ -73,8 +74,6 @@ class Kernel(ABC, Generic[L]):
         self.labels = [plan.label for plan in plans]
         self.index = {label: at for at, label in enumerate(dict.fromkeys(self.labels))}
 
-    # --- counting --------------------------------------------------------------------------------------------------
-
     @abstractmethod
     def begin(self) -> L:
         """The level before the first observation."""
@@ -82,8 +81,6 @@ class Kernel(ABC, Generic[L]):
     @abstractmethod
     def advance(self, level: L, seen: Seen, matcher: Matcher) -> L:
         """The next level."""
-
-    # --- what was counted ------------------------------------------------------------------------------------------
 
     @abstractmethod
     def count(self, level: L) -> int:
@@ -134,8 +131,6 @@ class Kernel(ABC, Generic[L]):
         """Whether every explanation was counted."""
         return True
 
-    # --- single explanations ---------------------------------------------------------------------------------------
-
     def binding(self, plan: int) -> Binding:
         """What is known of a plan's parameters where only names count: nothing."""
         unknown = self.matcher.initial(plan)
@@ -153,15 +148,19 @@ class Kernel(ABC, Generic[L]):
 
     def leading_of(self, tops: Sequence[Top]) -> Leading | None:
         """The best of these and its rivals."""
-        if not tops:
+        equal = best_of(tops)
+        if not equal:
             return None
-        weight = max(tops)[0]
-        least = least_tie(weight)
-        equal = [top for top in tops if top[0] >= least]
+        weight, plans = min([(-top[0], top[1]) for top in equal])
         if len(equal) == 1:
-            return weight, equal[0][1], equal[0][2], 0, equal[0][3]
-        plans = min([top[1] for top in equal if top[0] == weight])
+            return -weight, plans, equal[0][2], 0, equal[0][3]
         goals = self.goals_of(plans)
         same = [top for top in equal if top[1] == plans or self.goals_of(top[1]) == goals]
         ties, ours = sum([top[3] for top in equal]), sum([top[3] for top in same])
-        return weight, plans, min([top[2] for top in same]), ties - ours, ties
+        return -weight, plans, min([top[2] for top in same]), ties - ours, ties
+
+
+def best_of(tops: Sequence[T]) -> list[T]:
+    """Those that weigh as much as the best."""
+    least = least_tie(max([top[0] for top in tops], default=0.0))
+    return [top for top in tops if top[0] >= least]

@@ -22,6 +22,7 @@ from casper.engine.verification.observation import Seen, options_of
 from casper.plans.trees.plan import Plan
 
 Node: TypeAlias = tuple[Any, ...]  # needless observations, then the `State` of each plan pursued
+Ended: TypeAlias = tuple[float, Plans, int, int, Node]  # as `Top`, for those that end in the node; the node
 Begun: TypeAlias = tuple[Plans, int, list[Move]]  # plans with one more, its place in a node, its first moves
 Weight: TypeAlias = tuple[float, float, int]
 """Of what leads to a node: the sum and the largest of the likelihoods, and how many are as large."""
@@ -42,7 +43,7 @@ class Level:
     before: Level | None = None
     moves: dict[int, Moves] = field(default_factory=dict)
     begun: Mapping[int, list[Move]] = field(default_factory=dict)
-    ends: list[tuple[float, Plans, Node]] | None = None  # what an explanation weighs, if certain; made when asked for
+    ends: list[Ended] | None = None  # made when asked for
     sums: dict[Plans, float] = field(default_factory=dict)  # of all weights; made with these
 
 
@@ -84,15 +85,18 @@ class Levels(Kernel[Level]):
     def advance(self, level: Level, seen: Seen, matcher: Matcher) -> Level:
         """Every node goes on by one observation."""
         after = Level(level.k + 1, defaultdict(dict), exact=level.exact, before=level)
+        weights = None if level.weights is None and is_certain(seen) else defaultdict[Plans, dict[Node, Weight]](dict)
         self._ask(level, after, seen, matcher)
         for plans, nodes in level.counts.items():
             begun = list(self._begun(after, plans))
             for node, number in nodes.items():
-                for to, following, _ in self._steps(after, plans, node, begun):
+                for to, following, likelihood in self._steps(after, plans, node, begun):
                     counts = after.counts[to]
                     counts[following] = counts.get(following, 0) + number
-        if level.weights is not None or not is_certain(seen):
-            after.weights = self._weights(level, after)
+                    if weights is not None:
+                        before = (number, 1.0, number) if level.weights is None else level.weights[plans][node]
+                        weights[to][following] = _joined(weights[to].get(following, (0.0, 0.0, 0)), before, likelihood)
+        after.weights = weights
         if sum(map(len, after.counts.values())) > self.budget:
             self._prune(after)
         return after
@@ -143,18 +147,6 @@ class Levels(Kernel[Level]):
             left, right = node[:at], node[at:]
             for _, state, likelihood in moves:
                 yield to, (*left, state, *right), likelihood
-
-    def _weights(self, level: Level, after: Level) -> dict[Plans, dict[Node, Weight]]:
-        """The weights of what follows."""
-        found: dict[Plans, dict[Node, Weight]] = defaultdict(dict)
-        for plans, nodes in level.counts.items():
-            begun = list(self._begun(after, plans))
-            for node, number in nodes.items():
-                before = (float(number), 1.0, number) if level.weights is None else level.weights[plans][node]
-                for to, following, likelihood in self._steps(after, plans, node, begun):
-                    weights = found[to]
-                    weights[following] = _joined(weights.get(following, (0.0, 0.0, 0)), before, likelihood)
-        return found
 
     def _prune(self, level: Level) -> None:
         """Keep what needs fewest goals, misses and needless observations, then what weighs most.

@@ -5,7 +5,7 @@ Explanations of equal weight come in the order of their marks, a needless observ
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from casper.engine.recognition.kernels.kernel import NEEDLESS, Marks
 from casper.engine.verification.observation import Seen
@@ -63,10 +63,3 @@ def _most(leaves: Sequence[str], seen: Sequence[str], last: int) -> list[list[in
             row[leaf] = best
         most.append(row)
     return most[::-1]
-
-
-def split(marks: Iterable[int]) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """Marks as the leaves that were marked, and the numbers of the observations that are needless."""
-    marks = tuple(marks)
-    leaves = tuple([leaf for leaf in marks if leaf != NEEDLESS])
-    return leaves, tuple([at for at, leaf in enumerate(marks) if leaf == NEEDLESS])

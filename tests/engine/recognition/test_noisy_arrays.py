@@ -88,9 +88,9 @@ def test_the_best_of_each_plan_and_of_all_is_the_heaviest_group_of_the_counting_
         slow.observe(observation)
     tops, ties = {}, 0
     groups = sorted(slow.kernel.weighed(slow.level), key=lambda group: (-group[0], group[1]))
-    for weight, plans, node in groups:
+    for weight, plans, _, number, _ in groups:
         tops.setdefault(plans, weight)  # the heaviest come first
-        ties += slow.level.counts[plans][node] if weight >= least_tie(groups[0][0]) else 0
+        ties += number if weight >= least_tie(groups[0][0]) else 0
     assert {plans: weight for weight, plans in fast.kernel.tops(fast.level)} == tops
     assert fast.best() == slow.best() == (None if not groups else groups[0][:2])
     assert ties == (fast.standing().ties if groups else 0)
