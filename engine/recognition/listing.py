@@ -71,28 +71,33 @@ class Explanations:
             yield Path(parts, path.needless, path.size, path.missed)
 
     def _marked(self, plan: int, marks: Marks) -> Path:
-        leaves = tuple([leaf for leaf in marks if leaf != NEEDLESS])
-        needless = tuple([at for at, leaf in enumerate(marks) if leaf == NEEDLESS])
+        leaves = marks
+        needless: tuple[int, ...] = ()
+        if self.kernel.noise is not None:
+            leaves = tuple([leaf for leaf in marks if leaf != NEEDLESS])
+            needless = tuple([at for at, leaf in enumerate(marks) if leaf == NEEDLESS])
         size, missed = len(self.kernel.plans[plan].leaves), leaves[-1] + 1 - len(leaves)
         return Path(((plan, leaves, self.kernel.binding(plan)),), needless, size, missed)
 
     def _scored(self, path: Path) -> tuple[float, float]:
         """The score, and what the explanation weighs."""
-        above, below = self.kernel.measure(path.size, len(self.seen) - len(path.needless), path.missed)
-        price, needless, score, prior = self.kernel.noise or 1.0, len(path.needless), above / below, 1.0
+        kernel, needless, prior = self.kernel, len(path.needless), path.likelihood
+        above, below = kernel.measure(path.size, len(self.seen) - needless, path.missed)
         for plan, _, _ in path.parts:
-            prior *= self.kernel.priors[plan]
-        weight = price ** (needless - self._least) * score if needless != self._least else score
-        score = price**needless * score if needless else score
-        return score * path.likelihood, weight * path.likelihood * prior
+            prior *= kernel.priors[plan]
+        score = above / below
+        if kernel.noise is None:
+            return score * path.likelihood, score * prior
+        weight = kernel.noise ** (needless - self._least) * score
+        return kernel.noise**needless * score * path.likelihood, weight * prior
 
     def _told(self, path: Path) -> Explanation | Interleaved:
-        plans, index = self.kernel.plans, self.kernel.index
-        score, weight = self._scored(path)
+        plans, (score, weight) = self.kernel.plans, self._scored(path)
         share = weight / self._whole if self._whole else 0.0
         if not self.kernel.several:
             ((plan, leaves, binding),) = path.parts
             return Explanation(plans[plan], leaves, binding, score, share, path.needless)
+        index = self.kernel.index
         parts = sorted(path.parts, key=lambda part: index[plans[part[0]].label])
         told = tuple(Explanation(plans[plan], leaves, binding, score, share) for plan, leaves, binding in parts)
         return Interleaved(told, score, share, path.needless)

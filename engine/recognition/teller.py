@@ -119,16 +119,15 @@ class Teller:
         if not self.observations:
             return None
         if goal is None:
-            best = self.best()
+            best = self.kernel.best(self._levels[-1])
         else:
-            tops = self.kernel.tops(self._levels[-1])
-            best = min(((-weight, plans) for weight, plans in tops if self._goal(plans) == goal), default=None)
-        return None if best is None else self._list.first(best[1])
+            tops = [top for top in self.kernel.tops(self._levels[-1]) if self._goal(top[1]) == goal]
+            best = min(tops, key=lambda top: (-top[0], top[1]), default=None)
+        return None if best is None else self._list().first(best[1])
 
     def explanations(self) -> Iterator[Explanation | Interleaved]:
         """Every explanation, best first, lazily: by weight, then plans, then marks."""
-        return self._list.all() if self.observations else iter(())
+        return self._list().all() if self.observations else iter(())
 
-    @property
     def _list(self) -> Explanations:
         return Explanations(self.kernel, self._levels[-1], self.observations)

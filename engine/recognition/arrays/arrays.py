@@ -14,9 +14,8 @@ from collections import OrderedDict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from threading import Lock
-from typing import Any
+from typing import Any, NamedTuple
 
-from casper.engine.recognition.arrays.leaves import Leaves, leaves_by_name
 from casper.engine.recognition.arrays.shared import EXACT_LEAVES, Array, OnArrays, Ties, exactly
 from casper.engine.recognition.kernels.kernel import Leading, Marks, Parts, Plans
 from casper.engine.recognition.kernels.marks import leftmost
@@ -26,6 +25,16 @@ from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
 
 KEPT = 24
+
+
+class Leaves(NamedTuple):
+    """The leaves of one name, in the order of the library. Shapes: (leaves of the name,)."""
+
+    at: Array  # number among all leaves
+    begin: Array  # number of its plan's first leaf
+    plan: Array
+    right: Array  # leaves right of it
+    square: Array  # of its plan's number of leaves
 
 
 @dataclass(slots=True)
@@ -48,7 +57,7 @@ class Arrays(OnArrays[Level]):
         lengths = np.array([len(plan.leaves) for plan in plans])
         self._type = np.int64 if lengths.max() <= EXACT_LEAVES else object
         self._names = leaves_by_name(np, plans, lengths)
-        self._names[""] = Leaves(*[np.zeros(0, np.int64)] * 7)  # before anything was seen
+        self._names[""] = Leaves(*[np.zeros(0, np.int64)] * 5)  # before anything was seen
         self._room = KEPT * int(lengths.sum())
         self._kept: OrderedDict[tuple[Any, ...], tuple[Array, ...]] = OrderedDict()
         self._lock = Lock()
@@ -72,22 +81,17 @@ class Arrays(OnArrays[Level]):
 
     def _cut(self, last: str, action: str) -> tuple[Array, ...]:
         """Per leaf of the name: how many leaves of the last name lie left of it, and left of its plan."""
-        found = self._kept.get((last, action))
-        if found is None:
-            before, here = self._names[last], self._names[action]
-            search = self.np.searchsorted
-            found = self._keep((last, action), (search(before.at, here.at), search(before.at, here.begin)))
-        return found
+        before, here, search = self._names[last], self._names[action], self.np.searchsorted
+        return self._kept.get((last, action)) or self._keep(
+            (last, action), search(before.at, here.at), search(before.at, here.begin)
+        )
 
     def _scores(self, action: str, k: int) -> Array:
         """Per leaf of the name: the score of an explanation that ends in it."""
-        found = self._kept.get((action, k))
-        if found is None:
-            here = self._names[action]
-            found = self._keep((action, k), (k * (here.right + k) / here.square,))
-        return found[0]
+        here = self._names[action]
+        return (self._kept.get((action, k)) or self._keep((action, k), k * (here.right + k) / here.square))[0]
 
-    def _keep(self, key: tuple[Any, ...], arrays: tuple[Array, ...]) -> tuple[Array, ...]:
+    def _keep(self, key: tuple[Any, ...], *arrays: Array) -> tuple[Array, ...]:
         with self._lock:  # forks share what is kept, and may be used by several threads
             self._kept[key] = arrays
             while sum(len(a) for kept in self._kept.values() for a in kept) > self._room and len(self._kept) > 1:
@@ -111,16 +115,9 @@ class Arrays(OnArrays[Level]):
         return level.living
 
     def masses(self, level: Level) -> Array:
-        np, sums = self.np, self.np.zeros(len(self.plans))
         (at, counts, scores), here = self._living(level), self._names[level.action]
-        if not len(at):
-            return sums
-        mass = np.multiply(counts, scores, dtype=float if self._type is not object else object)
-        mass = mass.astype(float, copy=False)
-        if len(at) == len(here.at):
-            sums[here.plans] = np.add.reduceat(mass, here.first)
-        else:
-            sums = np.bincount(here.plan.take(at), mass, len(self.plans))
+        mass = (counts * scores).astype(float, copy=False)
+        sums = self.np.bincount(here.plan.take(at), mass, len(self.plans))
         return sums if self.evenly else sums * self.prior
 
     def _weights(self, level: Level) -> Array:
@@ -165,3 +162,20 @@ class Arrays(OnArrays[Level]):
         closed = here.at.take(at) - here.begin.take(at) + 1
         for plan, leaves, mass in zip(here.plan.take(at).tolist(), closed.tolist(), masses.tolist()):
             yield ((plan, (1 << leaves) - 1, self.binding(plan)),), mass
+
+
+def leaves_by_name(np: Any, plans: Sequence[Plan], lengths: Array) -> dict[str, Leaves]:
+    """The leaves of every name; ``lengths``: by plan, how many leaves it has."""
+    names = [leaf[0] for plan in plans for leaf in plan.leaves]
+    numbers = {name: at for at, name in enumerate(dict.fromkeys(names))}
+    symbols = np.fromiter((numbers[name] for name in names), np.int64, len(names))
+    ends = np.cumsum(lengths)
+    plan_of = np.repeat(np.arange(len(plans)), lengths)
+    order = np.argsort(symbols, kind="stable")
+    bounds = np.searchsorted(symbols[order], np.arange(len(numbers) + 1))
+    found = {}
+    for name, number in numbers.items():
+        at = order[bounds[number] : bounds[number + 1]]
+        plan = plan_of[at]
+        found[name] = Leaves(at, (ends - lengths)[plan], plan, ends[plan] - at - 1, lengths[plan] ** 2)
+    return found

@@ -149,11 +149,9 @@ class Kernel(ABC, Generic[L]):
     def leading_of(self, tops: Sequence[Top]) -> Leading | None:
         """The best of these and its rivals."""
         equal = best_of(tops)
-        if not equal:
-            return None
+        if len(equal) <= 1:
+            return (*equal[0][:3], 0, equal[0][3]) if equal else None
         weight, plans = min([(-top[0], top[1]) for top in equal])
-        if len(equal) == 1:
-            return -weight, plans, equal[0][2], 0, equal[0][3]
         goals = self.goals_of(plans)
         same = [top for top in equal if top[1] == plans or self.goals_of(top[1]) == goals]
         ties, ours = sum([top[3] for top in equal]), sum([top[3] for top in same])
