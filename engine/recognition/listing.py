@@ -22,13 +22,7 @@ UNBOUNDED = 1 << 60  # states
 
 
 class Explanations:
-    """The explanations that a kernel counted.
-
-    Args:
-        kernel: what counts.
-        level: where it is.
-        seen: the observations so far.
-    """
+    """The explanations that a kernel counted at a level, of the observations so far."""
 
     def __init__(self, kernel: Kernel[Any], level: Any, seen: Sequence[Seen]) -> None:
         self.kernel, self.level, self.seen = kernel, level, seen

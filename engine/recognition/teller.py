@@ -20,12 +20,7 @@ from casper.engine.verification.observation import Observation, Seen, Uncertain,
 
 
 class Teller:
-    """Explanations of a growing list of observations. Levels count from 0, before the first one.
-
-    Args:
-        kernel: what counts.
-        matcher: what can be taken for what.
-    """
+    """What a kernel says of a growing list of observations. Levels count from 0, before the first one."""
 
     def __init__(self, kernel: Kernel[Any], matcher: Matcher) -> None:
         self.kernel, self.matcher = kernel, matcher

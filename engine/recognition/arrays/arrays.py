@@ -17,7 +17,7 @@ from threading import Lock
 from typing import Any, NamedTuple
 
 from casper.engine.recognition.arrays.shared import EXACT_LEAVES, Array, OnArrays, Ties, exactly
-from casper.engine.recognition.kernels.kernel import Leading, Marks, Parts, Plans
+from casper.engine.recognition.kernels.kernel import Marks, Parts, Plans
 from casper.engine.recognition.kernels.marks import leftmost
 from casper.engine.recognition.scoring import least_tie
 from casper.engine.verification.matching import Matcher
@@ -133,17 +133,13 @@ class Arrays(OnArrays[Level]):
         first = int(weights.argmax())
         return float(weights[first]), (int(self._names[level.action].plan[self._living(level)[0][first]]),)
 
-    def nearest(self, level: Level, most: int) -> Ties:
-        """All ends of explanations; none of them needs to know how many observations are marked at most."""
+    def nearest(self, level: Level, most: int | None = None) -> Ties:
         (at, counts, _), weights, here = self._living(level), self._weights(level), self._names[level.action]
         near = self.np.flatnonzero(weights >= least_tie(weights.max(initial=0.0)))  # fewer to look at below
         at = at.take(near)
         missed = here.at.take(at) - here.begin.take(at) + 1 - level.k
         plan = here.plan.take(at)
         return Ties(weights.take(near), plan, self.np.full(len(plan), -1), missed, counts.take(near))
-
-    def leading(self, level: Level) -> Leading | None:
-        return self.nearest(level, level.k).leading(self.np, self.goal)
 
     def tops(self, level: Level, most: int | None = None) -> list[tuple[float, Plans]]:
         """By plan, what the best explanation weighs: its leftmost end scores most."""

@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from math import comb
 from typing import Any, NamedTuple
 
-from casper.engine.recognition.arrays.shared import Array
+from casper.engine.recognition.arrays.shared import Array, narrowest
 from casper.plans.trees.plan import Plan
 
 BEGIN = ""  # no action's name
+SIZES = {"u2": 2, "u4": 4, "u8": 8, "O": 40}  # bytes; of Python's integers about so many
 
 
 class Ends(NamedTuple):
@@ -91,21 +92,16 @@ def _steps(plans: Sequence[Plan]) -> dict[str, list[Step]]:
 
 
 def fits(plans: Sequence[Plan], noisy: bool, most: int = 1_000_000_000, observations: int = 16) -> bool:
-    """Whether so many observations of the commonest name take about so few bytes."""
-    names = Counter(leaf.functor for plan in plans for leaf in plan.leaves)
-    common, leaves, longest = max(names.values()), sum(names.values()), max(len(plan.leaves) for plan in plans)
-    found = 0
-    for k in range(1, observations + 1):
-        columns = len(plans) + min(leaves, k * common)
-        size = _size(k, longest, common / leaves)
-        found += 2 * common * columns * (k if noisy else 1) * size + 8 * len(plans) ** 2
-    return found <= most
-
-
-def _size(k: int, n: int, share: float) -> int:
-    """How many bytes hold the counts of k observations, if that share of the leaves has each one's name.
+    """Whether so many observations of the commonest name take about so few bytes.
 
     Single counts are far above the mean where leaves of a name stand close together: hence the square.
     """
-    ways = max(comb(k, q) * comb(q, q // 2) * comb(2 * n, q) * share**q for q in range(k + 1))
-    return next((size for size in (2, 4, 8) if (2 * n + 1) ** 2 * ways < 1 << 8 * size), 40)  # Python's: about forty
+    names = Counter(leaf.functor for plan in plans for leaf in plan.leaves)
+    common, leaves, n = max(names.values()), sum(names.values()), max(len(plan.leaves) for plan in plans)
+    found = 0
+    for k in range(1, observations + 1):
+        ways = [comb(k, q) * comb(q, q // 2) * comb(2 * n, q) * (common / leaves) ** q for q in range(k + 1)]
+        size = SIZES[narrowest((2 * n + 1) ** 2 * max(ways))]
+        columns = len(plans) + min(leaves, k * common)
+        found += 2 * common * columns * (k if noisy else 1) * size + 8 * len(plans) ** 2
+    return found <= most

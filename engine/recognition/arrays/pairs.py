@@ -31,7 +31,7 @@ from casper.engine.recognition.arrays.noisy_arrays import CLOSE, NoisyArrays
 from casper.engine.recognition.arrays.pair_counts import PairCounts
 from casper.engine.recognition.arrays.pair_states import Ends, States, no_ends, wide
 from casper.engine.recognition.arrays.shared import Array, OnArrays, Prices, Ties, exactly
-from casper.engine.recognition.kernels.kernel import Leading, Parts, Plans
+from casper.engine.recognition.kernels.kernel import Parts, Plans
 from casper.engine.verification.matching import Matcher
 from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
@@ -70,8 +70,8 @@ class Pairs(OnArrays[Level]):
 
     def begin(self) -> Level:
         """Nothing is marked."""
-        kind = LastPairs if self.noise is None else PairCounts
-        counts = kind(self.np, self._states, self.goal[:, None] != self.goal)
+        make = LastPairs.start if self.noise is None else PairCounts
+        counts = make(self.np, self._states, self.goal[:, None] != self.goal)
         return Level(0, self.single.begin(), counts, 0, 0, self.np.zeros(self._square.shape), no_ends(self.np))
 
     def advance(self, level: Level, seen: Seen, matcher: Matcher) -> Level:
@@ -170,14 +170,14 @@ class Pairs(OnArrays[Level]):
     def total(self, level: Level) -> float:
         return float(sum(part.sum() for part in self._sums(level)))
 
-    def leading(self, level: Level) -> Leading | None:
+    def nearest(self, level: Level, most: int | None = None) -> Ties:
         np, states, ends = self.np, self._states, level.best
         alone = self.single.nearest(level.alone, level.most)
         p, q = states.plan[ends.x], states.plan[ends.y]
         missed = states.closed[ends.x] + states.closed[ends.y] - ends.marked
         pairs = (self._weights(ends, level.most), np.minimum(p, q), np.maximum(p, q), missed, ends.number)
         alone = alone._replace(number=wide(np, alone.number))
-        return Ties(*map(np.concatenate, zip(alone, pairs))).leading(np, self.goal)
+        return Ties(*map(np.concatenate, zip(alone, pairs)))
 
     def tops(self, level: Level) -> Iterator[tuple[float, Plans]]:
         """What the best explanation weighs of each plan, and of each pair of plans that explains anything."""
@@ -197,11 +197,8 @@ class Pairs(OnArrays[Level]):
         ends = level.counts.ends()
         cells, which = np.unique(ends.x * size + ends.y, return_inverse=True)
         masses = np.bincount(which, self._weights(ends, level.most) * ends.number.astype(float), len(cells))
-        parts_of = [self._part(state) for state in range(size)]
+        plans, closed = self._states.plan.tolist(), self._states.closed.tolist()
+        parts_of = [(plan, (1 << leaves) - 1, self.binding(plan)) for plan, leaves in zip(plans, closed)]
         for cell, mass in zip(cells.tolist(), masses.tolist()):
             one, other = sorted((parts_of[cell // size], parts_of[cell % size]))
             yield (one, other), mass
-
-    def _part(self, state: int) -> tuple[int, int, Any]:
-        plan = int(self._states.plan[state])
-        return plan, (1 << int(self._states.closed[state])) - 1, self.binding(plan)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias, TypeVar
 
@@ -32,6 +33,14 @@ class OnArrays(Kernel[L]):
     def total(self, level: L) -> float:
         masses: Array = self.masses(level)
         return float(masses.sum())
+
+    @abstractmethod
+    def nearest(self, level: L, most: int | None = None) -> Ties:
+        """Ends of the best explanations, nearly or quite, as they weigh when that many observations are marked at most;
+        None for what is."""
+
+    def leading(self, level: L) -> Leading | None:
+        return self.nearest(level).leading(self.np, self.goal)
 
     def posterior(self, level: L) -> Mapping[str, float]:
         masses: Array = self.masses(level)
@@ -67,6 +76,11 @@ class Prices:
         if len(self._powers) <= most:
             self._powers = self._np.array([self._noise**needless for needless in range(2 * most + 8)], float)
         return self._powers.take(most - marked)
+
+
+def narrowest(largest: float) -> str:
+    """The narrowest unsigned integers that hold numbers up to this one; above 64 bits Python's."""
+    return next((f"u{size}" for size in (2, 4, 8) if largest < 1 << 8 * size), "O")
 
 
 def exactly(np: Any, counts: Array) -> int:

@@ -18,11 +18,7 @@ Move: TypeAlias = tuple[int, State, float]  # leaf, state after, likelihood
 class Moves(dict[State, list[Move]]):
     """Where an observation leads from the states of one plan: worked out when asked for, each match once.
 
-    Args:
-        plan: the plan's number.
-        chart: the plan's.
-        matcher: what can be taken for what.
-        noted: where to write down what could not.
+    ``noted`` is where to write down what could not be matched.
     """
 
     def __init__(self, plan: int, chart: Chart, matcher: Matcher, noted: dict[int, list[Mismatch]]) -> None:
