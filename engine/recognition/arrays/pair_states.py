@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from math import comb
 from typing import Any, NamedTuple
 
+from casper.engine.recognition.arrays.arrays import leaves_by_name
 from casper.engine.recognition.arrays.shared import Array, narrowest
 from casper.plans.trees.plan import Plan
 
@@ -65,14 +66,13 @@ class States:
         self.plan = np.concatenate((np.repeat(np.arange(len(plans)), self.lengths), np.arange(len(plans))))
         self.closed = np.concatenate((begun, np.zeros(len(plans), np.int64)))
         self.right = self.lengths[self.plan] - self.closed
-        self.code, self.named = np.zeros(len(self.plan), np.int64), dict[str, Named]()  # code: the name, as a number
         steps = _steps(plans)
-        places: dict[str, list[int]] = {BEGIN: list(range(self.leaves, len(self.plan))), **{name: [] for name in steps}}
-        for leaf, action in enumerate(action for plan in plans for action in plan.leaves):
-            places[action.functor].append(leaf)
-        for code, (name, found) in enumerate(places.items()):
-            at = np.array(found)
-            self.named[name], self.code[at] = Named(at, steps.get(name, ())), code
+        self.named = {BEGIN: Named(np.arange(len(plans)) + self.leaves, ())}
+        for name, found in leaves_by_name(np, plans, self.lengths).items():
+            self.named[name] = Named(found.at, steps[name])
+        self.code = np.zeros(len(self.plan), np.int64)  # the name, as a number
+        for code, states in enumerate(self.named.values()):
+            self.code[states.at] = code
 
 
 def _steps(plans: Sequence[Plan]) -> dict[str, list[Step]]:

@@ -128,13 +128,12 @@ class Pairs(OnArrays[Level]):
 
     def _best(self, before: Ends, new: Ends, here: Array, most: int) -> Ends:
         """The ends close to the best: of those before where nothing moved, and of the new ones."""
-        ends = new
         if self.noise is not None:
             code, name = self._states.code, self._states.code[here[0]]
             left = before.where((code[before.x] != name) & (code[before.y] != name))
-            ends = Ends(*map(self.np.concatenate, zip(left, new)))
-        weights = self._weights(ends, most)
-        return ends.where(weights >= CLOSE * weights.max(initial=0.0))
+            new = Ends(*map(self.np.concatenate, zip(left, new)))
+        weights = self._weights(new, most)
+        return new.where(weights >= CLOSE * weights.max(initial=0.0))
 
     def count(self, level: Level) -> int:
         """Explanations of one goal, and of two."""
@@ -164,8 +163,7 @@ class Pairs(OnArrays[Level]):
 
     def masses(self, level: Level) -> Array:
         pairs, alone = self._sums(level)
-        found: Array = pairs.sum(axis=0) + pairs.sum(axis=1) + alone
-        return found
+        return pairs.sum(axis=0) + pairs.sum(axis=1) + alone
 
     def total(self, level: Level) -> float:
         return float(sum(part.sum() for part in self._sums(level)))
@@ -180,13 +178,11 @@ class Pairs(OnArrays[Level]):
         return Ties(*map(np.concatenate, zip(alone, pairs)))
 
     def tops(self, level: Level) -> Iterator[tuple[float, Plans]]:
-        """What the best explanation weighs of each plan, and of each pair of plans that explains anything."""
+        """What the explanations weigh that end in two states, and the best of each plan alone."""
         ends = level.counts.ends()
-        p, q = self._states.plan[ends.x], self._states.plan[ends.y]
-        best = self.np.full(self._square.shape, -1.0)
-        self.np.maximum.at(best, (self.np.minimum(p, q), self.np.maximum(p, q)), self._weights(ends, level.most))
-        for p, q in self.np.argwhere(best >= 0).tolist():
-            yield float(best[p, q]), (p, q)
+        plans = zip(self._states.plan[ends.x].tolist(), self._states.plan[ends.y].tolist())
+        for weight, (p, q) in zip(self._weights(ends, level.most).tolist(), plans):
+            yield weight, (min(p, q), max(p, q))
         yield from self.single.tops(level.alone, level.most)
 
     def ends(self, level: Level) -> Iterator[tuple[Parts, float]]:
