@@ -17,7 +17,6 @@ from casper.kb.errors import CasperError
 
 Score: TypeAlias = Callable[[int, int, int], tuple[int, int]]
 
-
 TIE = 1e-12  # relative; different scores of plans of up to a thousand leaves differ by more
 
 

@@ -14,7 +14,7 @@ marks (all take the others for needless, so their price is left out). Then it we
 where mass is, by pair of plans, the sum of such scores. W grows with q. So of the explanations that end in x and y the
 best mark most, and what is best can only change in the rows of o; the ends close to the best are kept from one
 observation to the next, since an end that is left behind can only catch up by a mark. Among them floats decide,
-computed as `interleaving` does, which is the specification. Counts, the best weight and ties are exact, sums of
+computed as `Interleaving` does, which is the specification. Counts, the best weight and ties are exact, sums of
 scores agree to a relative 1e-12. Where nothing may be needless T' is D + D^T, as if needless observations cost
 everything: noise is 0. `pair_counts` or `last_pairs` does the sums, `noisy_arrays` or `arrays` those of one goal.
 """

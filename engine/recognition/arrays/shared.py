@@ -84,12 +84,7 @@ def narrowest(largest: float) -> str:
 
 
 def exactly(np: Any, counts: Array) -> int:
-    """The sum as a Python integer: it may not fit into 64 bits, though every count does.
-
-    Args:
-        np: numpy; it is imported when the first large library is read.
-        counts: an array of integers of any width, none negative, or of Python's.
-    """
+    """The sum of counts of any width as a Python integer: it may not fit into 64 bits, though every count does."""
     if counts.dtype.kind == "O":
         return int(counts.sum())
     if counts.dtype.itemsize < 8:

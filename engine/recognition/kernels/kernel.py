@@ -23,7 +23,6 @@ Parts: TypeAlias = tuple[tuple[int, int, Binding], ...]  # per plan pursued: pla
 Marks: TypeAlias = tuple[int, ...]  # a leaf for every observation, or NEEDLESS
 NEEDLESS = -1  # the mark of an observation that was taken for no leaf
 
-
 Top: TypeAlias = tuple[float, Plans, int, int]
 """The best explanations that end somewhere: what each weighs, their plans, how many leaves they miss, their number."""
 Leading: TypeAlias = tuple[float, Plans, int, int, int]
@@ -47,12 +46,8 @@ class Path(NamedTuple):
 class Kernel(ABC, Generic[L]):
     """Counts explanations of some plans.
 
-    Args:
-        plans: the plans.
-        matcher: what is known of their parameters before anything was seen.
-        noise: the factor on a score for each needless observation; None allows none.
-        priors: per plan the prior of its goal; None weighs all alike.
-        measure: the score.
+    ``matcher`` says what is known of their parameters before anything was seen, ``noise`` is the factor on a score for
+    each needless observation (None allows none), ``priors`` are those of the plans' goals (None weighs all alike).
     """
 
     goals = 1  # how many may be pursued at once

@@ -153,16 +153,18 @@ class Levels(Kernel[Level]):
 
         The score alone prefers few goals while little was observed, and drops what turns out to be true.
         """
-        nodes = ((plans, node) for plans, found in level.counts.items() for node in found)
+
+        def promise(end: tuple[Plans, Node]) -> tuple[int, float]:
+            plans, node = end
+            likelihood = 1.0 if level.weights is None else level.weights[plans][node][1]
+            price = len(plans) + node[0] + sum([state[3] for state in node[1:]])
+            return -price, self.weight(level.k, plans, node, 0) * likelihood
+
         kept: dict[Plans, dict[Node, int]] = {}
-        for plans, node in nlargest(self.budget, nodes, key=lambda end: self._promise(level, *end)):
+        nodes = ((plans, node) for plans, found in level.counts.items() for node in found)
+        for plans, node in nlargest(self.budget, nodes, key=promise):
             kept.setdefault(plans, {})[node] = level.counts[plans][node]
         level.counts, level.exact = kept, False
-
-    def _promise(self, level: Level, plans: Plans, node: Node) -> tuple[int, float]:
-        likelihood = 1.0 if level.weights is None else level.weights[plans][node][1]
-        price: int = len(plans) + node[0] + sum(state[3] for state in node[1:])
-        return -price, self.weight(level.k, plans, node, 0) * likelihood
 
     def weight(self, k: int, plans: Plans, node: Node, least: int) -> float:
         """Of an explanation of k observations, all certain, that ends here; 0 where everything is needless.
