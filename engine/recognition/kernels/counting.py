@@ -126,16 +126,15 @@ class Counting(Levels):
         if self.noise is not None and (earlier := (node[0] - 1, *node[1:])) in same:
             yield (plans, earlier), (NEEDLESS, NEEDLESS), 1.0
         for at, plan in enumerate(plans, 1):
-            if plan in level.moves:
-                left, right = node[:at], node[at + 1 :]
-                for state, leaf, likelihood in level.moves[plan].back().get(node[at], ()):
-                    if (earlier := (*left, state, *right)) in same:
+            steps = level.moves[plan].back().get(node[at], ()) if plan in level.moves else ()
+            for state, leaf, likelihood in steps:
+                if state[0]:
+                    if (earlier := (*node[:at], state, *node[at + 1 :])) in same:
                         yield (plans, earlier), (plan, leaf), likelihood
-                others, earlier = plans[: at - 1] + plans[at:], left + right
-                if earlier in before.counts.get(others, {}):
-                    for leaf, state, likelihood in level.begun.get(plan, ()):
-                        if state == node[at]:
-                            yield (others, earlier), (plan, leaf), likelihood
+                elif (leaf, node[at], likelihood) in level.begun.get(plan, ()):  # nothing was closed before
+                    others, earlier = plans[: at - 1] + plans[at:], node[:at] + node[at + 1 :]
+                    if earlier in before.counts.get(others, {}):
+                        yield (others, earlier), (plan, leaf), likelihood
 
 
 class Interleaving(Counting):

@@ -173,7 +173,8 @@ class Levels(Kernel[Level]):
         """
         if not plans:
             return 0.0
-        above, below = self.measure(sum(s[2] for s in node[1:]), k - node[0], sum(s[3] for s in node[1:]))
+        size, missed = sum([state[2] for state in node[1:]]), sum([state[3] for state in node[1:]])
+        above, below = self.measure(size, k - node[0], missed)
         weight: float = (self.noise or 1.0) ** (node[0] - least) * (above / below)
         for plan in plans:
             weight *= self.priors[plan]
