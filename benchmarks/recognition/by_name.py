@@ -15,7 +15,7 @@ from libraries import chains
 from timing import median, significant, told
 
 from casper import Domain
-from casper.engine.recognition import tree_copying
+from casper.engine.explanation import tree_copying
 from casper.engine.recognition.choice import recogniser
 from casper.engine.recognition.options import PAPER
 from casper.engine.recognition.teller import Teller

@@ -9,7 +9,7 @@ from casper.engine.recognition.arrays.arrays import Arrays
 from casper.engine.recognition.arrays.noisy_arrays import NoisyArrays
 from casper.engine.recognition.arrays.pairs import Pairs
 from casper.engine.recognition.kernels.chains import Chains
-from casper.engine.recognition.kernels.interleaving import Interleaving
+from casper.engine.recognition.kernels.counting import Interleaving
 from casper.engine.recognition.teller import Teller
 from casper.engine.verification.matching import Matcher
 from casper.plans.trees.plan import Plan

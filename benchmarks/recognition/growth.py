@@ -24,7 +24,7 @@ from growth_picture import draw
 from libraries import chains, with_parameters
 from timing import times
 
-from casper.engine.recognition import tree_copying
+from casper.engine.explanation import tree_copying
 from casper.engine.recognition.choice import recogniser
 from casper.engine.recognition.options import Options
 from casper.engine.verification.matching import Matcher, NameMatcher, ParameterMatcher

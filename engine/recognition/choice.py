@@ -17,10 +17,8 @@ from casper.engine.recognition.arrays.noisy_arrays import NoisyArrays
 from casper.engine.recognition.arrays.pair_states import fits
 from casper.engine.recognition.arrays.pairs import Pairs
 from casper.engine.recognition.kernels.chains import Chains
-from casper.engine.recognition.kernels.counting import Counting
-from casper.engine.recognition.kernels.interleaving import Interleaving
+from casper.engine.recognition.kernels.counting import Counting, Interleaving
 from casper.engine.recognition.kernels.kernel import Kernel
-from casper.engine.recognition.kernels.levels import MOST_STATES
 from casper.engine.recognition.options import Options
 from casper.engine.recognition.scoring import paper
 from casper.engine.recognition.teller import Teller
@@ -43,11 +41,6 @@ class Wanted:
     priors: Sequence[float] | None
 
     @property
-    def one_goal(self) -> bool:
-        """Whether one goal is pursued at a time."""
-        return self.options.goals == 1
-
-    @property
     def noisy(self) -> bool:
         """Whether observations may be needless."""
         return self.options.noise is not None
@@ -61,24 +54,17 @@ class Wanted:
         return named and self.options.measure is paper and all(plan.is_plain for plan in self.plans)
 
     @cached_property
-    def leaves_looked_at(self) -> float:
-        """How many leaves have an observation's name, on average."""
-        names = Counter(leaf[0] for plan in self.plans for leaf in plan.leaves)
-        return sum(number * number for number in names.values()) / sum(names.values())
-
-    @property
     def is_large(self) -> bool:
-        """Whether an observation has so many leaves to look at that arrays pay; and there is numpy."""
-        least = MANY_NOISY_LEAVES if self.noisy else MANY_LEAVES
-        many = self.leaves_looked_at >= least or (not self.noisy and len(self.plans) >= MANY_PLANS)
-        return many and find_spec("numpy") is not None
+        """Whether an observation has on average so many leaves of its name that arrays pay; and there is numpy."""
+        names = Counter(leaf[0] for plan in self.plans for leaf in plan.leaves)
+        of_a_name = sum(number * number for number in names.values()) / sum(names.values())
+        many = of_a_name >= (MANY_NOISY_LEAVES if self.noisy else MANY_LEAVES)
+        return (many or (not self.noisy and len(self.plans) >= MANY_PLANS)) and find_spec("numpy") is not None
 
     @property
     def pairs_fit(self) -> bool:
         """Whether there are pairs enough for arrays, and they fit into memory; and there is numpy."""
-        if len(self.plans) < MANY_PAIRS or find_spec("numpy") is None:
-            return False
-        return fits(self.plans, self.noisy)
+        return len(self.plans) >= MANY_PAIRS and find_spec("numpy") is not None and fits(self.plans, self.noisy)
 
 
 class Row(NamedTuple):
@@ -92,25 +78,23 @@ class Row(NamedTuple):
 TABLE = (
     Row(
         "small libraries of rows of names: a look-up for each leaf of the name, a few µs",
-        lambda w: w.one_goal and w.by_name and not w.noisy and not w.is_large,
+        lambda w: w.options.goals == 1 and w.by_name and not w.noisy and not w.is_large,
         lambda w: Chains(w.plans, w.matcher, w.priors),
     ),
     Row(
         "large ones: all leaves of all goals in one sum",
-        lambda w: w.one_goal and w.by_name and not w.noisy,
+        lambda w: w.options.goals == 1 and w.by_name and not w.noisy,
         lambda w: Arrays(w.plans, w.matcher, w.priors),
     ),
     Row(
         "large ones with needless actions: the same, for each number of marked ones",
-        lambda w: w.one_goal and w.by_name and w.is_large,
+        lambda w: w.options.goals == 1 and w.by_name and w.is_large,
         lambda w: NoisyArrays(w.plans, w.matcher, w.options.noise or 1.0, w.priors),
     ),
     Row(
         "one goal whatever its plans and its matcher are: state by state",
-        lambda w: w.one_goal,
-        lambda w: Counting(
-            w.plans, w.matcher, w.options.noise, w.priors, w.options.measure, w.options.budget or MOST_STATES
-        ),
+        lambda w: w.options.goals == 1,
+        lambda w: Counting(w.plans, w.matcher, w.options.noise, w.priors, w.options.measure, w.options.budget),
     ),
     Row(
         "two goals of rows of names, needless actions or none: all pairs of leaves, exactly",

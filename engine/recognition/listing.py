@@ -12,11 +12,8 @@ from itertools import count
 from typing import Any
 
 from casper.engine.explanation.explanation import Explanation, Interleaved
-from casper.engine.recognition.kernels.counting import Counting
-from casper.engine.recognition.kernels.interleaving import Interleaving
-from casper.engine.recognition.kernels.kernel import Kernel, Listing, Marks, Path, Plans
-from casper.engine.recognition.kernels.levels import MOST_STATES
-from casper.engine.recognition.kernels.states import split
+from casper.engine.recognition.kernels.counting import Counting, Interleaving
+from casper.engine.recognition.kernels.kernel import NEEDLESS, Kernel, Path, Plans
 from casper.engine.verification.matching import Matcher, NameMatcher
 from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
@@ -25,13 +22,7 @@ UNBOUNDED = 1 << 60  # states
 
 
 class Explanations:
-    """The explanations that a kernel counted.
-
-    Args:
-        kernel: what counts.
-        level: where it is.
-        seen: the observations so far.
-    """
+    """The explanations that a kernel counted at a level, of the observations so far."""
 
     def __init__(self, kernel: Kernel[Any], level: Any, seen: Sequence[Seen]) -> None:
         self.kernel, self.level, self.seen = kernel, level, seen
@@ -39,8 +30,18 @@ class Explanations:
 
     def first(self, plans: Plans) -> Explanation | Interleaved:
         """The best explanation of exactly these plans."""
-        marks = self.kernel.first_marks(self.level, plans[0], self.seen)
-        return self._told(next(self._paths(plans)) if marks is None else self._marked(plans[0], marks))
+        kernel = self.kernel
+        marks = kernel.first_marks(self.level, plans[0], self.seen)
+        if marks is None:
+            return self._told(next(self._paths(plans)))
+        plan = kernel.plans[plans[0]]
+        needless: tuple[int, ...] = ()
+        if kernel.noise is not None:
+            needless = tuple([at for at, leaf in enumerate(marks) if leaf == NEEDLESS])
+            marks = tuple([leaf for leaf in marks if leaf != NEEDLESS])
+        missed = marks[-1] + 1 - len(marks)
+        score, weight = self._scored(plans, len(plan.leaves), missed, len(needless))
+        return Explanation(plan, marks, kernel.binding(plans[0]), score, self._share(weight), needless)
 
     def all(self) -> Iterator[Explanation | Interleaved]:
         """Every explanation, lazily: by weight, then plans, then marks."""
@@ -58,11 +59,11 @@ class Explanations:
                 yield self._told(path)
             following = next(rest, None)
             if following is not None:
-                heappush(heap, (-self._scored(following)[1], plans, next(order), following, rest))
+                heappush(heap, (-self._score_of(following)[1], plans, next(order), following, rest))
 
     def _paths(self, plans: Plans) -> Iterator[Path]:
         """The explanations of exactly these plans, best first."""
-        if isinstance(self.kernel, Listing):
+        if isinstance(self.kernel, Counting):
             yield from self.kernel.paths(self.level, plans)
             return
         chosen = [self.kernel.plans[plan] for plan in plans]
@@ -73,31 +74,37 @@ class Explanations:
             parts = tuple((plans[at], leaves, self.kernel.binding(plans[at])) for at, leaves, _ in path.parts)
             yield Path(parts, path.needless, path.size, path.missed)
 
-    def _marked(self, plan: int, marks: Marks) -> Path:
-        leaves, needless = split(marks)
-        size, missed = len(self.kernel.plans[plan].leaves), leaves[-1] + 1 - len(leaves)
-        return Path(((plan, leaves, self.kernel.binding(plan)),), needless, size, missed)
-
-    def _scored(self, path: Path) -> tuple[float, float]:
+    def _scored(
+        self, plans: Plans, size: int, missed: int, needless: int, likelihood: float = 1.0
+    ) -> tuple[float, float]:
         """The score, and what the explanation weighs."""
-        above, below = self.kernel.measure(path.size, len(self.seen) - len(path.needless), path.missed)
-        price, needless, score, prior = self.kernel.noise or 1.0, len(path.needless), above / below, 1.0
-        for plan, _, _ in path.parts:
-            prior *= self.kernel.priors[plan]
-        weight = price ** (needless - self._least) * score if needless != self._least else score
-        score = price**needless * score if needless else score
-        return score * path.likelihood, weight * path.likelihood * prior
+        kernel, prior = self.kernel, likelihood
+        above, below = kernel.measure(size, len(self.seen) - needless, missed)
+        for plan in plans:
+            prior *= kernel.priors[plan]
+        score = above / below
+        if kernel.noise is None:
+            return score * likelihood, score * prior
+        weight = kernel.noise ** (needless - self._least) * score
+        return kernel.noise**needless * score * likelihood, weight * prior
+
+    def _share(self, weight: float) -> float:
+        return weight / self._whole if self._whole else 0.0
 
     def _told(self, path: Path) -> Explanation | Interleaved:
         plans, index = self.kernel.plans, self.kernel.index
-        score, weight = self._scored(path)
-        share = weight / self._whole if self._whole else 0.0
-        if not self.kernel.several:
-            ((plan, leaves, binding),) = path.parts
-            return Explanation(plans[plan], leaves, binding, score, share, path.needless)
+        score, weight = self._score_of(path)
+        share = self._share(weight)
         parts = sorted(path.parts, key=lambda part: index[plans[part[0]].label])
+        if not self.kernel.several:
+            ((plan, leaves, binding),) = parts
+            return Explanation(plans[plan], leaves, binding, score, share, path.needless)
         told = tuple(Explanation(plans[plan], leaves, binding, score, share) for plan, leaves, binding in parts)
         return Interleaved(told, score, share, path.needless)
+
+    def _score_of(self, path: Path) -> tuple[float, float]:
+        plans = tuple([plan for plan, _, _ in path.parts])
+        return self._scored(plans, path.size, path.missed, len(path.needless), path.likelihood)
 
 
 def listing(
@@ -106,10 +113,10 @@ def listing(
     matcher: Matcher,
     priors: Sequence[float] | None = None,
     budget: int | None = None,
-) -> Listing[Any]:
+) -> Counting:
     """A kernel that counts these plans as the given one counts its own, and can list."""
     if not kernel.several:
-        return Counting(plans, matcher, kernel.noise, priors, kernel.measure, budget or MOST_STATES)
+        return Counting(plans, matcher, kernel.noise, priors, kernel.measure, budget)
     return Interleaving(plans, matcher, kernel.goals, kernel.noise, priors, kernel.measure, budget)
 
 

@@ -17,16 +17,14 @@ from casper.kb.errors import CasperError
 
 Score: TypeAlias = Callable[[int, int, int], tuple[int, int]]
 
-
 TIE = 1e-12  # relative; different scores of plans of up to a thousand leaves differ by more
 
 
-def posterior_by(labels: Iterable[str], sums: Sequence[float]) -> dict[str, float]:
-    """Each label's share of the sums; all zero when nothing explains the observations."""
+def posterior_by(labels: Iterable[str], sums: Sequence[float], whole: float) -> dict[str, float]:
+    """Each label's share of the whole; all zero when nothing explains the observations."""
     totals: dict[str, float] = {}
     for label, part in zip(labels, sums):
         totals[label] = totals.get(label, 0.0) + part
-    whole = sum(totals.values())
     return {label: total / whole if whole else 0.0 for label, total in totals.items()}
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.recognition.kernels.kernel import Kernel, Parts, Plans
-from casper.engine.recognition.kernels.states import is_certain
+from casper.engine.recognition.kernels.moves import is_certain
 from casper.engine.recognition.listing import Explanations, levels_of, listing
 from casper.engine.recognition.standing import Standing
 from casper.engine.verification.matching import Matcher, Mismatch
@@ -20,19 +20,12 @@ from casper.engine.verification.observation import Observation, Seen, Uncertain,
 
 
 class Teller:
-    """Explanations of a growing list of observations. Levels count from 0, before the first one.
-
-    Args:
-        kernel: what counts.
-        matcher: what can be taken for what.
-    """
+    """What a kernel says of a growing list of observations. Levels count from 0, before the first one."""
 
     def __init__(self, kernel: Kernel[Any], matcher: Matcher) -> None:
         self.kernel, self.matcher = kernel, matcher
         self.observations: list[Seen] = []
         self._levels: list[Any] = [kernel.begin()]
-
-    # --- observing -------------------------------------------------------------------------------------------------
 
     def observe(self, seen: Seen) -> None:
         """Take in an observation; where nothing comes of it because something raised, nothing was taken in."""
@@ -65,8 +58,6 @@ class Teller:
         other.kernel, other.matcher = self.kernel, self.matcher.fork()
         other.observations, other._levels = self.observations.copy(), self._levels.copy()
         return other
-
-    # --- what the counts say ---------------------------------------------------------------------------------------
 
     @property
     def level(self) -> Any:
@@ -118,23 +109,20 @@ class Teller:
             for parts, mass in self.kernel.ends(self._levels[-1]):
                 yield parts, mass / whole if whole else 0.0
 
-    # --- single explanations ---------------------------------------------------------------------------------------
-
     def first(self, goal: str | None = None) -> Explanation | Interleaved | None:
         """The best explanation, of all or of a goal (goals pursued together are joined by " + "); None for none."""
         if not self.observations:
             return None
         if goal is None:
-            best = self.best()
+            best = self.kernel.best(self._levels[-1])
         else:
-            tops = self.kernel.tops(self._levels[-1])
-            best = min(((-weight, plans) for weight, plans in tops if self._goal(plans) == goal), default=None)
-        return None if best is None else self._list.first(best[1])
+            tops = [top for top in self.kernel.tops(self._levels[-1]) if self._goal(top[1]) == goal]
+            best = min(tops, key=lambda top: (-top[0], top[1]), default=None)
+        return None if best is None else self._list().first(best[1])
 
     def explanations(self) -> Iterator[Explanation | Interleaved]:
         """Every explanation, best first, lazily: by weight, then plans, then marks."""
-        return self._list.all() if self.observations else iter(())
+        return self._list().all() if self.observations else iter(())
 
-    @property
     def _list(self) -> Explanations:
         return Explanations(self.kernel, self._levels[-1], self.observations)

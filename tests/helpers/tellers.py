@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from casper.engine.recognition.arrays import arrays, noisy_arrays, pairs
-from casper.engine.recognition.kernels import chains, counting, interleaving
+from casper.engine.recognition.kernels import chains, counting
 from casper.engine.recognition.teller import Teller
 
 
@@ -15,7 +15,7 @@ def told(kernel: Callable[..., Any]) -> Callable[..., Teller]:
     return lambda plans, matcher, *args, **options: Teller(kernel(plans, matcher, *args, **options), matcher)
 
 
-Chains, Counting, Interleaving = told(chains.Chains), told(counting.Counting), told(interleaving.Interleaving)
+Chains, Counting, Interleaving = told(chains.Chains), told(counting.Counting), told(counting.Interleaving)
 Arrays, NoisyArrays = told(arrays.Arrays), told(noisy_arrays.NoisyArrays)
 NoisyPairs = told(pairs.Pairs)
 

@@ -15,7 +15,7 @@ from math import comb
 from threading import Lock
 from typing import Any
 
-from casper.engine.recognition.arrays.shared import Array
+from casper.engine.recognition.arrays.shared import Array, narrowest
 from casper.plans.trees.plan import Plan
 
 
@@ -112,9 +112,8 @@ class Table:
 
     def _hold(self, rows: int, observations: int) -> None:
         """Make room for so many rows, and for numbers as large as they can become."""
-        np, cells, largest = self._np, self._cells, _largest(observations, self.layout.longest)
-        kind = next((f"u{size}" for size in (2, 4, 8) if largest < 1 << 8 * size), "O")
-        kind = np.promote_types(cells.dtype, kind)
+        np, cells = self._np, self._cells
+        kind = np.promote_types(cells.dtype, narrowest(_largest(observations, self.layout.longest)))
         room = len(cells) if rows <= len(cells) else max(rows, 2 * len(cells))
         if room > len(cells) or kind != cells.dtype:
             self._cells = np.zeros((room, cells.shape[1]), kind)  # rows never used cost no memory

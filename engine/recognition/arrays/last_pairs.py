@@ -10,23 +10,30 @@ is a sum along A, and for y in A one along the leaves that are not in A, plus th
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 from casper.engine.recognition.arrays.pair_states import Ends, States, wide
 from casper.engine.recognition.arrays.shared import EXACT_LEAVES, Array
 
 
+@dataclass(frozen=True, slots=True)
 class LastPairs:
-    """T after some observations; never changed once made. Interface: `pair_counts.PairCounts`."""
+    """T after some observations. Interface: `pair_counts.PairCounts`."""
 
-    __slots__ = ("_begins", "_counts", "_here", "_np", "_states", "marked")
+    _np: Any
+    _states: States
+    _begins: Array  # T of the rows kept and all beginnings
+    _counts: Array  # and all leaves
+    _here: Array  # the states of the rows
+    marked: int = 0
 
-    def __init__(self, np: Any, states: States, differ: Array) -> None:
-        """``differ``: whether two plans have different goals. Shape (plans, plans)."""
-        self._np, self._states, self.marked = np, states, 0
+    @classmethod
+    def start(cls, np: Any, states: States, differ: Array) -> LastPairs:
+        """Everything stands at its beginning. ``differ``: whether two plans have different goals."""
         kind = np.int64 if 2 * states.longest <= EXACT_LEAVES else object
-        self._here = np.arange(len(differ)) + states.leaves  # everything stands at its beginning
-        self._begins, self._counts = differ.astype(kind), np.zeros((len(differ), states.leaves), kind)
+        counts, here = np.zeros((len(differ), states.leaves), kind), np.arange(len(differ)) + states.leaves
+        return cls(np, states, differ.astype(kind), counts, here)
 
     def columns(self) -> Array:
         """All leaves."""
@@ -37,20 +44,17 @@ class LastPairs:
 
         Shape of these: (states of the name, 1, leaves).
         """
-        after, there = object.__new__(LastPairs), self._states.named[name].at
-        after._np, after._states, after._here, after.marked = self._np, self._states, there, self.marked + 1
-        plan = self._states.plan[there]
+        np, states, there = self._np, self._states, self._states.named[name].at
+        plan = states.plan[there]
         if not self.marked:
-            after._begins = self._begins[plan]
-            added = self._np.zeros((len(there), self._states.leaves), self._begins.dtype)
+            begins, added = self._begins[plan], np.zeros((len(there), states.leaves), self._begins.dtype)
         else:
-            first = self._states.first[plan]
-            after._begins = self._along_rows(self._begins, there, first)
-            added = self._along_rows(self._counts, there, first)
+            first = states.first[plan]
+            begins, added = (self._along_rows(counts, there, first) for counts in (self._begins, self._counts))
             added[:, self._here] += self._along_columns(there, first).T
-        after._counts = added.copy()
-        after._counts[:, there] += added[:, there].T
-        return after, after._counts[:, None], added[:, None]
+        counts = added.copy()
+        counts[:, there] += added[:, there].T
+        return LastPairs(np, states, begins, counts, there, self.marked + 1), counts[:, None], added[:, None]
 
     def _along_rows(self, counts: Array, there: Array, first: Array) -> Array:
         """Per leaf of the next name, the sums of the rows left of it in its plan."""

@@ -21,12 +21,12 @@ ties are exact, sums of scores agree to a relative 1e-12.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields
-from typing import Any
+from dataclasses import dataclass
+from typing import NamedTuple
 
 from casper.engine.recognition.arrays.blocks import Layout, Leaves, Table
 from casper.engine.recognition.arrays.shared import Array, OnArrays, Prices, Ties, exactly
-from casper.engine.recognition.kernels.kernel import Leading, Marks, Parts, Plans
+from casper.engine.recognition.kernels.kernel import Marks, Parts, Plans
 from casper.engine.recognition.kernels.marks import first_marks
 from casper.engine.verification.matching import Matcher
 from casper.engine.verification.observation import Seen
@@ -35,18 +35,13 @@ from casper.plans.trees.plan import Plan
 CLOSE = 1 - 1e-9  # weights this near to the best may be equal to it as floats, now or later
 
 
-@dataclass(frozen=True, slots=True)
-class Ends:
+class Ends(NamedTuple):
     """Where explanations end, each with what all of them share. Shapes: (ends,)."""
 
     at: Array  # leaf, as `Leaves.at`
     marked: Array  # observations
     number: Array  # explanations
     weight: Array  # of each of them
-
-    def where(self, which: Array) -> Ends:
-        """Some of them."""
-        return Ends(*(getattr(self, field.name)[which] for field in fields(self)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +85,7 @@ class NoisyArrays(OnArrays[Level]):
         count = level.count + exactly(self.np, counts)
         most = max(level.most, len(counts))
         mass = self.price ** (most - level.most) * level.mass + self._mass(here, counts, most)
-        marked = _marked(self.np, counts)
+        marked = (counts > 0).view(self.np.int8).sum(axis=0, dtype=self.np.int32)  # at most, by leaf
         if seen.action in level.counts:
             earlier = level.counts[seen.action]
             counts[: len(earlier)] += earlier
@@ -122,15 +117,10 @@ class NoisyArrays(OnArrays[Level]):
         old = self.weights_at(before.at[stay], before.marked[stay], most)
         least = CLOSE * max(new.max(initial=0.0), old.max(initial=0.0))
         kept, added = np.flatnonzero(old >= least), np.flatnonzero(new >= least)
-        parts = (
-            (before.at[stay[kept]], here.at[added]),
-            (before.marked[stay[kept]], marked[added]),
-            (before.number[stay[kept]], counts[marked[added] - 1, added]),
-            (old[kept], new[added]),
-        )
-        return Ends(*map(np.concatenate, parts))
-
-    # --- what was counted ------------------------------------------------------------------------------------------
+        stay = stay[kept]
+        left = Ends(before.at[stay], before.marked[stay], before.number[stay], old[kept])
+        come = Ends(here.at[added], marked[added], counts[marked[added] - 1, added], new[added])
+        return Ends(*map(np.concatenate, zip(left, come)))
 
     def alive(self, level: Level) -> set[int]:
         """The plans that have one of the names."""
@@ -148,42 +138,33 @@ class NoisyArrays(OnArrays[Level]):
         return level.k - level.most
 
     def masses(self, level: Level) -> Array:
-        """Per plan the sum of the weights of its explanations."""
         found = self.np.empty(len(self.plans))
         found[self._layout.order] = level.mass * self._prior
         return found
 
-    def _ends(self, level: Level, most: int | None = None, furthest: bool = False) -> Ends:
-        """Where explanations end, by leaf and number of marks; or only those of each leaf that mark most."""
+    def _ends(self, level: Level, most: int | None = None) -> Ends:
+        """Where explanations end, by leaf and number of marks."""
         np, parts = self.np, [self.begin().best]
         for name, counts in level.counts.items():
             marks, leaves = np.nonzero(counts)
-            if furthest:
-                marks, leaves = _marked(np, counts) - 1, np.arange(counts.shape[1])
             at = self._layout.leaves(name).at[leaves]
             weights = self.weights_at(at, marks + 1, level.most if most is None else most)
             parts.append(Ends(at, marks + 1, counts[marks, leaves], weights))
-        return Ends(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(Ends)))
+        return Ends(*map(np.concatenate, zip(*parts)))
 
     def _plans(self, ends: Ends) -> tuple[Array, Array]:
         """The plans and leaves of ends."""
         column, leaf = self._layout.find(ends.at)
         return self._layout.order[column], leaf
 
-    def nearest(self, level: Level, most: int) -> Ties:
-        """Ends of the best explanations, nearly or quite, as they weigh when that many are marked at most."""
+    def nearest(self, level: Level, most: int | None = None) -> Ties:
         ends = level.best
         plan, leaf = self._plans(ends)
-        weight = ends.weight if most == level.most else self.weights_at(ends.at, ends.marked, most)
+        weight = ends.weight if most in (None, level.most) else self.weights_at(ends.at, ends.marked, most or 0)
         return Ties(weight, plan, self.np.full(len(plan), -1), leaf + 1 - ends.marked, ends.number)
 
-    def leading(self, level: Level) -> Leading | None:
-        """The best explanation and its rivals."""
-        return self.nearest(level, level.most).leading(self.np, self.goal)
-
     def tops(self, level: Level, most: int | None = None) -> list[tuple[float, Plans]]:
-        """By plan, what the best explanation weighs."""
-        ends, weights = self._ends(level, most, furthest=True), self.np.full(len(self.plans), -1.0)
+        ends, weights = self._ends(level, most), self.np.full(len(self.plans), -1.0)
         self.np.maximum.at(weights, self._plans(ends)[0], ends.weight)
         plans = self.np.flatnonzero(weights >= 0)
         return [(weight, (plan,)) for weight, plan in zip(weights[plans].tolist(), plans.tolist())]
@@ -210,8 +191,3 @@ class NoisyArrays(OnArrays[Level]):
         masses = ends.weight * ends.number.astype(float)
         for one, last, mass in zip(*(part[order].tolist() for part in (plan, leaf, masses))):
             yield ((one, (2 << last) - 1, self.binding(one)),), mass
-
-
-def _marked(np: Any, counts: Array) -> Array:
-    """By leaf, the most observations that an explanation marks which ends there."""
-    return (counts > 0).view(np.int8).sum(axis=0, dtype=np.int32)

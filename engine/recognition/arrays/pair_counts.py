@@ -15,30 +15,30 @@ rows, and T gets D and its transpose. Above 64 bits they are Python's.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from casper.engine.recognition.arrays.pair_states import BEGIN, Ends, Named, States, no_ends, wide
-from casper.engine.recognition.arrays.shared import Array
+from casper.engine.recognition.arrays.shared import Array, narrowest
 
 Blocks: TypeAlias = Mapping[tuple[str, str], Array]  # shapes (states of a, marked observations, states of b)
 
 
+@dataclass(frozen=True, slots=True)
 class PairCounts:
-    """T after some observations; never changed once made.
+    """T after some observations.
 
     Memory: an observation keeps its rows and columns, two numbers for each of its states, each state seen so far and
     each number of marked observations; all else is shared with the level before.
     """
 
-    __slots__ = ("_differ", "_np", "_states", "blocks", "largest", "marked", "seen")
-
-    def __init__(self, np: Any, states: States, differ: Array) -> None:
-        self._np, self._states = np, states
-        self._differ = differ  # whether two plans have different goals. Shape (plans, plans)
-        self.blocks: Blocks = {}
-        self.seen: tuple[str, ...] = ()  # names, in the order of their first observation
-        self.marked = 0  # no more observations were ever marked
-        self.largest = 1
+    _np: Any
+    _states: States
+    _differ: Array  # whether two plans have different goals. Shape (plans, plans)
+    blocks: Blocks = field(default_factory=dict)
+    seen: tuple[str, ...] = ()  # names, in the order of their first observation
+    marked: int = 0  # no more observations were ever marked
+    largest: int = 1
 
     def columns(self) -> Array:
         """The states of all names seen so far, in the order of the rows that an observation adds."""
@@ -49,14 +49,12 @@ class PairCounts:
 
         Shape of these: (states of the name, marked observations from 1, `columns` of what follows).
         """
-        after = PairCounts(self._np, self._states, self._differ)
-        after.seen = self.seen if name in self.seen else (*self.seen, name)
-        added, parts = self._added(name, after.seen)
-        counts = added.copy()
-        after.marked = max(self.marked, added.shape[1])
-        after.blocks = self._written(name, counts, parts)
-        after.largest = max(self.largest, int(counts.max()))
-        begins = parts[BEGIN].stop
+        seen = self.seen if name in self.seen else (*self.seen, name)
+        added, parts = self._added(name, seen)
+        counts, begins = added.copy(), parts[BEGIN].stop
+        blocks = self._written(name, counts, parts)
+        marked, largest = max(self.marked, added.shape[1]), max(self.largest, int(counts.max()))
+        after = PairCounts(self._np, self._states, self._differ, blocks, seen, marked, largest)
         return after, counts[:, :, begins:], added[:, :, begins:]
 
     def _added(self, name: str, seen: Sequence[str]) -> tuple[Array, dict[str, slice]]:
@@ -64,7 +62,8 @@ class PairCounts:
         here, parts, end = self._states.named[name], dict[str, slice](), 0
         for other in (BEGIN, *seen):
             parts[other] = slice(end, end := end + len(self._states.named[other].at))
-        found = self._np.empty((len(here.at), self.marked + 1, end), self._kind())
+        kind = narrowest(self.largest * (2 * self._states.longest + 1))
+        found = self._np.empty((len(here.at), self.marked + 1, end), kind)
         for other, part in parts.items():
             self._sum(here, other, found[:, :, part])
         least = max((block.shape[1] for (row, _), block in self.blocks.items() if row == name), default=1)
@@ -127,8 +126,4 @@ class PairCounts:
                 number = wide(np, block[row, marked, column])
                 ends = Ends(states.named[name].at[row], states.named[other].at[column], marked + 1, number)
                 found.append(ends if name != other else ends.where(states.plan[ends.x] < states.plan[ends.y]))
-        return Ends.joined(np, found)
-
-    def _kind(self) -> str:
-        largest = self.largest * (2 * self._states.longest + 1)
-        return next((f"u{size}" for size in (2, 4, 8) if largest < 1 << 8 * size), "O")
+        return Ends(*map(np.concatenate, zip(*found)))

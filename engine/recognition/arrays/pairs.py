@@ -14,7 +14,7 @@ marks (all take the others for needless, so their price is left out). Then it we
 where mass is, by pair of plans, the sum of such scores. W grows with q. So of the explanations that end in x and y the
 best mark most, and what is best can only change in the rows of o; the ends close to the best are kept from one
 observation to the next, since an end that is left behind can only catch up by a mark. Among them floats decide,
-computed as `interleaving` does, which is the specification. Counts, the best weight and ties are exact, sums of
+computed as `Interleaving` does, which is the specification. Counts, the best weight and ties are exact, sums of
 scores agree to a relative 1e-12. Where nothing may be needless T' is D + D^T, as if needless observations cost
 everything: noise is 0. `pair_counts` or `last_pairs` does the sums, `noisy_arrays` or `arrays` those of one goal.
 """
@@ -31,7 +31,7 @@ from casper.engine.recognition.arrays.noisy_arrays import CLOSE, NoisyArrays
 from casper.engine.recognition.arrays.pair_counts import PairCounts
 from casper.engine.recognition.arrays.pair_states import Ends, States, no_ends, wide
 from casper.engine.recognition.arrays.shared import Array, OnArrays, Prices, Ties, exactly
-from casper.engine.recognition.kernels.kernel import Leading, Parts, Plans
+from casper.engine.recognition.kernels.kernel import Parts, Plans
 from casper.engine.verification.matching import Matcher
 from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
@@ -70,8 +70,8 @@ class Pairs(OnArrays[Level]):
 
     def begin(self) -> Level:
         """Nothing is marked."""
-        kind = LastPairs if self.noise is None else PairCounts
-        counts = kind(self.np, self._states, self.goal[:, None] != self.goal)
+        make = LastPairs.start if self.noise is None else PairCounts
+        counts = make(self.np, self._states, self.goal[:, None] != self.goal)
         return Level(0, self.single.begin(), counts, 0, 0, self.np.zeros(self._square.shape), no_ends(self.np))
 
     def advance(self, level: Level, seen: Seen, matcher: Matcher) -> Level:
@@ -128,14 +128,12 @@ class Pairs(OnArrays[Level]):
 
     def _best(self, before: Ends, new: Ends, here: Array, most: int) -> Ends:
         """The ends close to the best: of those before where nothing moved, and of the new ones."""
-        ends = new
         if self.noise is not None:
             code, name = self._states.code, self._states.code[here[0]]
-            ends = Ends.joined(self.np, [before.where((code[before.x] != name) & (code[before.y] != name)), new])
-        weights = self._weights(ends, most)
-        return ends.where(weights >= CLOSE * weights.max(initial=0.0))
-
-    # --- what was counted ------------------------------------------------------------------------------------------
+            left = before.where((code[before.x] != name) & (code[before.y] != name))
+            new = Ends(*map(self.np.concatenate, zip(left, new)))
+        weights = self._weights(new, most)
+        return new.where(weights >= CLOSE * weights.max(initial=0.0))
 
     def count(self, level: Level) -> int:
         """Explanations of one goal, and of two."""
@@ -164,38 +162,27 @@ class Pairs(OnArrays[Level]):
         return float(self.price**behind)
 
     def masses(self, level: Level) -> Array:
-        """Per plan the sum of the weights of the explanations that it takes part in."""
         pairs, alone = self._sums(level)
-        found: Array = pairs.sum(axis=0) + pairs.sum(axis=1) + alone
-        return found
+        return pairs.sum(axis=0) + pairs.sum(axis=1) + alone
 
     def total(self, level: Level) -> float:
-        """The sum of all weights, each explanation once."""
         return float(sum(part.sum() for part in self._sums(level)))
 
-    def leading(self, level: Level) -> Leading | None:
-        """The best explanation and its rivals, of other sets of goals."""
+    def nearest(self, level: Level, most: int | None = None) -> Ties:
         np, states, ends = self.np, self._states, level.best
         alone = self.single.nearest(level.alone, level.most)
         p, q = states.plan[ends.x], states.plan[ends.y]
         missed = states.closed[ends.x] + states.closed[ends.y] - ends.marked
-        parts = (
-            (alone.weight, self._weights(ends, level.most)),
-            (alone.plan, np.minimum(p, q)),
-            (alone.second, np.maximum(p, q)),
-            (alone.missed, missed),
-            (wide(np, alone.number), ends.number),
-        )
-        return Ties(*map(np.concatenate, parts)).leading(np, self.goal)
+        pairs = (self._weights(ends, level.most), np.minimum(p, q), np.maximum(p, q), missed, ends.number)
+        alone = alone._replace(number=wide(np, alone.number))
+        return Ties(*map(np.concatenate, zip(alone, pairs)))
 
     def tops(self, level: Level) -> Iterator[tuple[float, Plans]]:
-        """What the best explanation weighs of each plan, and of each pair of plans that explains anything."""
+        """What the explanations weigh that end in two states, and the best of each plan alone."""
         ends = level.counts.ends()
-        p, q = self._states.plan[ends.x], self._states.plan[ends.y]
-        best = self.np.full(self._square.shape, -1.0)
-        self.np.maximum.at(best, (self.np.minimum(p, q), self.np.maximum(p, q)), self._weights(ends, level.most))
-        for p, q in self.np.argwhere(best >= 0).tolist():
-            yield float(best[p, q]), (p, q)
+        plans = zip(self._states.plan[ends.x].tolist(), self._states.plan[ends.y].tolist())
+        for weight, (p, q) in zip(self._weights(ends, level.most).tolist(), plans):
+            yield weight, (min(p, q), max(p, q))
         yield from self.single.tops(level.alone, level.most)
 
     def ends(self, level: Level) -> Iterator[tuple[Parts, float]]:
@@ -206,11 +193,8 @@ class Pairs(OnArrays[Level]):
         ends = level.counts.ends()
         cells, which = np.unique(ends.x * size + ends.y, return_inverse=True)
         masses = np.bincount(which, self._weights(ends, level.most) * ends.number.astype(float), len(cells))
-        parts_of = [self._part(state) for state in range(size)]
+        plans, closed = self._states.plan.tolist(), self._states.closed.tolist()
+        parts_of = [(plan, (1 << leaves) - 1, self.binding(plan)) for plan, leaves in zip(plans, closed)]
         for cell, mass in zip(cells.tolist(), masses.tolist()):
             one, other = sorted((parts_of[cell // size], parts_of[cell % size]))
             yield (one, other), mass
-
-    def _part(self, state: int) -> tuple[int, int, Any]:
-        plan = int(self._states.plan[state])
-        return plan, (1 << int(self._states.closed[state])) - 1, self.binding(plan)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, NamedTuple, TypeAlias, TypeVar
 
 from casper.engine.recognition.kernels.kernel import Kernel, Leading
 from casper.engine.recognition.scoring import least_tie
@@ -31,12 +31,18 @@ class OnArrays(Kernel[L]):
         self._own_goal = len(self.index) == len(plans)
 
     def total(self, level: L) -> float:
-        """The sum of all weights."""
         masses: Array = self.masses(level)
         return float(masses.sum())
 
+    @abstractmethod
+    def nearest(self, level: L, most: int | None = None) -> Ties:
+        """Ends of the best explanations, nearly or quite, as they weigh when that many observations are marked at most;
+        None for what is."""
+
+    def leading(self, level: L) -> Leading | None:
+        return self.nearest(level).leading(self.np, self.goal)
+
     def posterior(self, level: L) -> Mapping[str, float]:
-        """Each goal's share of all weights."""
         masses: Array = self.masses(level)
         whole = self.total(level) if self.several else masses.sum()
         shares = masses if self._own_goal else self.np.bincount(self.goal, masses, len(self.index))
@@ -72,13 +78,13 @@ class Prices:
         return self._powers.take(most - marked)
 
 
-def exactly(np: Any, counts: Array) -> int:
-    """The sum as a Python integer: it may not fit into 64 bits, though every count does.
+def narrowest(largest: float) -> str:
+    """The narrowest unsigned integers that hold numbers up to this one; above 64 bits Python's."""
+    return next((f"u{size}" for size in (2, 4, 8) if largest < 1 << 8 * size), "O")
 
-    Args:
-        np: numpy; it is imported when the first large library is read.
-        counts: an array of integers of any width, none negative, or of Python's.
-    """
+
+def exactly(np: Any, counts: Array) -> int:
+    """The sum of counts of any width as a Python integer: it may not fit into 64 bits, though every count does."""
     if counts.dtype.kind == "O":
         return int(counts.sum())
     if counts.dtype.itemsize < 8:
@@ -88,8 +94,7 @@ def exactly(np: Any, counts: Array) -> int:
     return (int((counts >> 32).sum()) << 32) + int((counts & 0xFFFFFFFF).sum())
 
 
-@dataclass(frozen=True, slots=True)
-class Ties:
+class Ties(NamedTuple):
     """Ends, the best among them. Shapes: (ends,); ``second`` is the plan of a second goal, which comes later in the
     library, or -1."""
 
@@ -105,14 +110,11 @@ class Ties:
             return None
         top = self.weight.max()
         ties = np.flatnonzero(self.weight >= least_tie(top))
-        weight, plan, second, missed, number = (
-            part[ties] for part in (self.weight, self.plan, self.second, self.missed, self.number)
-        )
+        weight, plan, second, missed, number = (part[ties] for part in self)
         heaviest = np.flatnonzero(weight == top)
         first = heaviest[np.lexsort((second[heaviest], plan[heaviest]))[0]]
         one, other = goal[plan], np.where(second < 0, -1, goal[second])
         low, high = np.minimum(one, other), np.maximum(one, other)
         same = (low == low[first]) & (high == high[first])
         plans = (int(plan[first]),) if second[first] < 0 else (int(plan[first]), int(second[first]))
-        rivals, every = exactly(np, number[~same]), exactly(np, number)
-        return float(top), plans, int(missed[same].min()), rivals, every
+        return float(top), plans, int(missed[same].min()), exactly(np, number[~same]), exactly(np, number)

@@ -16,7 +16,7 @@ from typing import TypeAlias
 
 from casper.engine.recognition.kernels.kernel import Kernel, Leading, Marks, Parts, Plans, Top
 from casper.engine.recognition.kernels.marks import leftmost
-from casper.engine.recognition.kernels.states import positions_of
+from casper.engine.recognition.kernels.moves import positions_of
 from casper.engine.verification.matching import Matcher
 from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
@@ -104,18 +104,15 @@ class Chains(Kernel[Level]):
         return sum([count for _, _, count, _, _ in level[3]])
 
     def alive(self, level: Level) -> set[int]:
-        """The plans that have counts."""
         return set(level[2])
 
     def masses(self, level: Level) -> list[float]:
-        """Per plan the sum of the scores of its explanations, weighed by its prior."""
         found = [0.0] * len(self.plans)
         for plan, total, _, _, _ in level[3]:
             found[plan] = self.priors[plan] * total
         return found
 
     def posterior(self, level: Level) -> Mapping[str, float]:
-        """Each goal's share of all weights."""
         if not (self.evenly and self._own_goal):
             return super().posterior(level)
         shares, labels, whole = self._nothing.copy(), self.labels, level[4]
@@ -125,7 +122,6 @@ class Chains(Kernel[Level]):
         return shares
 
     def total(self, level: Level) -> float:
-        """The sum of all scores, weighed by priors."""
         return level[4]
 
     def best(self, level: Level) -> tuple[float, Plans] | None:
@@ -139,11 +135,9 @@ class Chains(Kernel[Level]):
         return None if best < 0 else (top, (best,))
 
     def leading(self, level: Level) -> Leading | None:
-        """The best explanation and its rivals."""
         return self.leading_of(self._tops(level))
 
     def tops(self, level: Level) -> list[tuple[float, Plans]]:
-        """By plan, what the best explanation weighs."""
         return [top[:2] for top in self._tops(level)]
 
     def _tops(self, level: Level) -> list[Top]:

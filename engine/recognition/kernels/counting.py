@@ -2,144 +2,171 @@
 
 Marking a leaf closes every leaf that the plan puts before it; those unobserved are missed for good. So the
 explanations of a plan are the ways to give the observations leaves that are open then, and all that the rest depends
-on is a *state*: what is closed, which open parts were entered, how many leaves the plan has by now, how many
-it missed, how many observations were needless, and what is known of the parameters. Per plan and observation a level
-counts the explanations that end in each state:
+on is its *state*: what is closed, which open parts were entered, how many leaves the plan has by now, how many it
+missed, and what is known of the parameters. Where several goals may be pursued at once, an explanation is a set of up
+to N different goals, a plan for each, and a leaf of one of them for every observation; each has at least one, and
+observed and missed leaves of all of them add up. So what is to come depends on the *node* only, the plans pursued with
+the state of each, and how many observations were needless. A level counts the explanations that end in each:
 
-    C_k[s'] = sum of C_{k-1}[s] over the states s from which observation k leads to s'
+    C_k[s'] = sum of C_{k-1}[s] over the nodes s from which observation k leads to s'
 
-For a plan whose actions simply follow one another the closed leaves are those up to the last marked one j, and
-
-    C_1[j] = [leaf j can be o_1]        C_k[j] = [leaf j can be o_k] * sum of C_{k-1}[i] over i < j
-
-The score depends on the state only, so exact counts, posteriors, the best explanation, ties and a best-first stream
-follow without enumerating any. ``docs/recognition.md`` says what every
-extension means; `tree_copying` is the specification of the plain case, brute force that of the others (tests).
+The score depends on the node only, so exact counts, posteriors, the best explanation, ties and a best-first stream
+follow without enumerating any. ``docs/recognition.md`` says what every extension means; `tree_copying` is the
+specification of the plain case, brute force that of the others (tests).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import groupby
+from math import prod
+from typing import TypeAlias
 
-from casper.engine.recognition.kernels.kernel import Leading, Parts, Path, Plans
-from casper.engine.recognition.kernels.levels import Level, Levels
+from casper.engine.recognition.kernels.kernel import NEEDLESS, Leading, Parts, Path, Plans, best_of
+from casper.engine.recognition.kernels.levels import Ended, Level, Levels, Node
 from casper.engine.recognition.kernels.paths import best_first
-from casper.engine.recognition.kernels.states import State, split, successors
+from casper.engine.recognition.scoring import Score, paper
+from casper.engine.verification.matching import Matcher, Mismatch
+from casper.plans.trees.plan import Plan
+
+End: TypeAlias = tuple[Plans, Node]
+Mark: TypeAlias = tuple[int, int]  # plan and leaf; (NEEDLESS, NEEDLESS)
 
 
 class Counting(Levels):
     """What the counts of some plans say, whose shapes may be anything (arguments: `levels.Levels`)."""
 
-    def alive(self, level: Level) -> set[int]:
-        """The plans with an explanation; none may take all observations for needless."""
-        return {p for p, states in level.counts.items() if any(_observes(level, state) for state in states)}
-
     def count(self, level: Level) -> int:
-        """The sum of all counts."""
-        return sum([level.counts[plan][state] for _, plan, state in self.groups(level)])
+        if not level.k:
+            return len(self.starts)
+        return sum([sum(nodes.values()) for plans, nodes in level.counts.items() if plans])
+
+    def alive(self, level: Level) -> set[int]:
+        return {plan for plans in level.counts for plan in plans} if level.k else set(self.starts)
 
     def least(self, level: Level) -> int:
-        """The fewest needless observations of an explanation."""
         if self.noise is None:
             return 0
-        states = (state for counts in level.counts.values() for state in counts)
-        return min((state[4] for state in states if _observes(level, state)), default=0)
+        return min((node[0] for plans, nodes in level.counts.items() if plans for node in nodes), default=0)
 
-    def groups(self, level: Level) -> list[tuple[float, int, State]]:
-        """Where explanations end, best first: what the best of each weighs, plan and state."""
-        if level.groups is None:
-            least, weights, found = self.least(level), level.weights, list[tuple[float, int, State]]()
-            for plan, counts in level.counts.items():
-                for state in counts:
-                    if _observes(level, state):
-                        weight = self.score(state, level.k, state[4] - least)
-                        weight = weight if weights is None else weight * weights[plan][state][1]
-                        found.append((self.priors[plan] * weight, plan, state))
-            level.groups = sorted(found, key=lambda group: (-group[0], group[1], group[2][0]))
-        return level.groups
+    def weighed(self, level: Level) -> list[Ended]:
+        """What ends in each node; and the sums of all weights, on the way."""
+        if level.ends is None:
+            least, ends = self.least(level), list[Ended]()
+            level.sums = {plans: self._summed(level, plans, least, ends) for plans in level.counts if plans}
+            level.ends = ends
+        return level.ends
 
-    def sums(self, level: Level, least: int = 0) -> list[float]:
-        """Per plan the sum of the scores of its explanations, without the price of so many needless observations."""
-        sums = [0.0] * len(self.plans)
-        for plan in level.counts:
-            sums[plan] = self._sum(level, plan, least)
-        return sums
+    def _summed(self, level: Level, plans: Plans, least: int, ends: list[Ended]) -> float:
+        """The sum of the weights of what these plans explain, each end written down.
 
-    def _sum(self, level: Level, plan: int, least: int) -> float:
-        weights, price = level.weights, self.noise or 1.0
-        exact: dict[tuple[int, int], float] = {}  # by (denominator, needless): exact integers, unless weighted
-        for state, number in level.counts[plan].items():
-            if _observes(level, state):
-                _, _, size, missed, needless, _ = state
-                above, below = self.measure(size, level.k - needless, missed)
-                mass = number if weights is None else weights[plan][state][0]
-                exact[below, needless] = exact.get((below, needless), 0) + mass * above
-        return sum((total / below) * price ** (needless - least) for (below, needless), total in exact.items())
+        The scores of equal denominators are summed as integers: so sums are exact unless weighed.
+        """
+        k, measure, price, prior = level.k, self.measure, self.noise or 1.0, prod([self.priors[p] for p in plans])
+        exact: dict[tuple[int, int], float] = {}  # by denominator and needless observations
+        for node, number in level.counts[plans].items():
+            needless, size, missed = node[0], 0, 0
+            for state in node[1:]:
+                size += state[2]
+                missed += state[3]
+            above, below = measure(size, k - needless, missed)
+            score = above / below if needless == least else price ** (needless - least) * (above / below)
+            mass, largest, ties = (number, 1.0, number) if level.weights is None else level.weights[plans][node]
+            ends.append((prior * score * largest, plans, missed, ties, node))
+            exact[below, needless] = exact.get((below, needless), 0) + mass * above
+        return prior * sum([total / below * price ** (needless - least) for (below, needless), total in exact.items()])
 
     def masses(self, level: Level) -> list[float]:
-        """Per plan the sum of the weights of its explanations."""
-        return [prior * total for prior, total in zip(self.priors, self.sums(level, self.least(level)))]
-
-    def leading(self, level: Level) -> Leading | None:
-        """The best explanation and its rivals."""
-        weights = level.weights
-        return self.leading_of([
-            (weight, (plan,), state[3], level.counts[plan][state] if weights is None else weights[plan][state][2])
-            for weight, plan, state in self.groups(level)
-        ])  # fmt: skip
-
-    def tops(self, level: Level) -> Iterator[tuple[float, Plans]]:
-        """What the best explanation weighs that ends in each state."""
-        return ((weight, (plan,)) for weight, plan, _ in self.groups(level))
-
-    def ends(self, level: Level) -> Iterator[tuple[Parts, float]]:
-        """By state, best first."""
-        for weight, plan, state in self.groups(level):
-            mass = weight * level.counts[plan][state]
-            if level.weights is not None:
-                total, largest, _ = level.weights[plan][state]
-                mass = weight / largest * total if largest else 0.0
-            yield ((plan, state[0], state[5]),), mass
-
-    # --- single explanations ---------------------------------------------------------------------------------------
-
-    def paths(self, level: Level, plans: Plans) -> Iterator[Path]:
-        """The explanations of one plan, best first."""
-        (plan,), least, levels = plans, self.least(level), list(_back(level))
-        finals = {
-            s: self.score(s, level.k, s[4] - least) for s in level.counts.get(plan, ()) if _observes(level, s)
-        }  # fmt: skip
-        before: dict[int, dict[State, list[tuple[State, int, float]]]] = {}
-
-        def back(at: int, state: State) -> Iterable[tuple[State, int, float]]:
-            if at not in before:
-                before[at] = self._before(plan, levels[at])
-            return before[at][state]
-
-        for weight, marks, state in best_first(finals, back, level.k):
-            likelihood = 1.0 if level.weights is None else weight / (finals[state] or 1.0)
-            leaves, needless = split(marks)
-            yield Path(((plan, leaves, state[5]),), needless, state[2], state[3], likelihood)
-
-    def _before(self, plan: int, level: Level) -> dict[State, list[tuple[State, int, float]]]:
-        """For every state of a level, what led to it."""
-        found: dict[State, list[tuple[State, int, float]]] = {}
-        assert level.before is not None
-        for state in level.before.counts[plan]:
-            moves = successors(self.charts[plan], state, level.edges[plan], self.noise is not None)
-            for mark, following, likelihood in moves:
-                found.setdefault(following, []).append((state, mark, likelihood))
+        self.weighed(level)
+        found = [0.0] * len(self.plans)
+        for plans, mass in level.sums.items():
+            for plan in plans:
+                found[plan] += mass
         return found
 
+    def total(self, level: Level) -> float:
+        self.weighed(level)
+        return sum(level.sums.values())
 
-def _observes(level: Level, state: State) -> bool:
-    """Whether the state's explanations take anything for a leaf, or there was nothing to take."""
-    return level.k > state[4] or not level.k
+    def leading(self, level: Level) -> Leading | None:
+        return self.leading_of([end[:4] for end in best_of(self.weighed(level))])
+
+    def tops(self, level: Level) -> list[tuple[float, Plans]]:
+        return [end[:2] for end in self.weighed(level)]
+
+    def ends(self, level: Level) -> Iterator[tuple[Parts, float]]:
+        for weight, plans, _, number, node in sorted(self.weighed(level), key=_rank):
+            mass, largest, _ = (number, 1.0, number) if level.weights is None else level.weights[plans][node]
+            parts = tuple([(plan, state[0], state[4]) for plan, state in zip(plans, node[1:])])
+            yield parts, weight / largest * mass if largest else 0.0
+
+    def mismatches(self, level: Level) -> Mapping[int, Sequence[Mismatch]]:
+        return level.noted
+
+    def is_exact(self, level: Level) -> bool:
+        return level.exact
+
+    def paths(self, level: Level, plans: Plans) -> Iterator[Path]:
+        """The explanations of exactly these plans, best first, lazily; equal ones in the order of their marks."""
+        levels, least = [level], self.least(level)
+        while levels[-1].before is not None:
+            levels.append(levels[-1].before)
+        levels.reverse()
+        finals = {(plans, node): self.weight(level.k, plans, node, least) for node in level.counts.get(plans, ())}
+        certain = level.weights is None  # then all that ends in a node weighs alike: the best nodes come first, alone
+        for _, ends in groupby(sorted(finals, key=lambda end: -finals[end]), lambda end: certain and finals[end]):
+            some = {end: finals[end] for end in ends}
+            steps = best_first(some, lambda at, end: self._back(levels[at - 1], levels[at], *end), level.k)
+            for weight, marks, end in steps:
+                yield _path(*end, marks, 1.0 if certain else weight / (finals[end] or 1.0))
+
+    def _back(self, before: Level, level: Level, plans: Plans, node: Node) -> Iterator[tuple[End, Mark, float]]:
+        """What led to a node: the node before, the mark and its likelihood."""
+        same = before.counts.get(plans, {})
+        if self.noise is not None and (earlier := (node[0] - 1, *node[1:])) in same:
+            yield (plans, earlier), (NEEDLESS, NEEDLESS), 1.0
+        for at, plan in enumerate(plans, 1):
+            steps = level.moves[plan].back().get(node[at], ()) if plan in level.moves else ()
+            for state, leaf, likelihood in steps:
+                if state[0]:
+                    if (earlier := (*node[:at], state, *node[at + 1 :])) in same:
+                        yield (plans, earlier), (plan, leaf), likelihood
+                elif (leaf, node[at], likelihood) in level.begun.get(plan, ()):  # nothing was closed before
+                    others, earlier = plans[: at - 1] + plans[at:], node[:at] + node[at + 1 :]
+                    if earlier in before.counts.get(others, {}):
+                        yield (others, earlier), (plan, leaf), likelihood
 
 
-def _back(level: Level) -> list[Level]:
-    """All levels up to this one, the first one first."""
-    found = [level]
-    while found[-1].before is not None:
-        found.append(found[-1].before)
-    return found[::-1]
+class Interleaving(Counting):
+    """Counts explanations of up to so many goals at once: every observation is a step of one of those pursued.
+
+    For two goals all nodes are kept, and everything is exact; for more, and where even those of two are too many, it is
+    a best-first search that says so.
+    """
+
+    several = True
+
+    def __init__(
+        self,
+        plans: Sequence[Plan],
+        matcher: Matcher,
+        goals: int = 2,
+        noise: float | None = None,
+        priors: Sequence[float] | None = None,
+        measure: Score = paper,
+        budget: int | None = None,
+    ) -> None:
+        super().__init__(plans, matcher, noise, priors, measure, budget, goals)
+
+
+def _rank(end: Ended) -> tuple[float, Plans, list[int]]:
+    """Best first, then in the order of the library, and of the leaves."""
+    weight, plans, _, _, node = end
+    return -weight, plans, [state[0] for state in node[1:]]
+
+
+def _path(plans: Plans, node: Node, marks: tuple[Mark, ...], likelihood: float) -> Path:
+    states = node[1:]
+    told = tuple([(plan, tuple([leaf for p, leaf in marks if p == plan]), s[4]) for plan, s in zip(plans, states)])
+    needless = tuple([at for at, (plan, _) in enumerate(marks) if plan == NEEDLESS])
+    return Path(told, needless, sum(s[2] for s in states), sum(s[3] for s in states), likelihood)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Generic, NamedTuple, TypeAlias, TypeVar
+from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
 
 from casper.engine.recognition.scoring import Score, least_tie, paper, posterior_by
 from casper.engine.verification.matching import Binding, Matcher, Mismatch
@@ -17,11 +17,11 @@ from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
 
 L = TypeVar("L")
+T = TypeVar("T", bound=tuple[Any, ...])
 Plans: TypeAlias = tuple[int, ...]  # the plans pursued, one for each goal, in the order of the library
 Parts: TypeAlias = tuple[tuple[int, int, Binding], ...]  # per plan pursued: plan, mask of closed leaves, binding
 Marks: TypeAlias = tuple[int, ...]  # a leaf for every observation, or NEEDLESS
 NEEDLESS = -1  # the mark of an observation that was taken for no leaf
-
 
 Top: TypeAlias = tuple[float, Plans, int, int]
 """The best explanations that end somewhere: what each weighs, their plans, how many leaves they miss, their number."""
@@ -46,12 +46,8 @@ class Path(NamedTuple):
 class Kernel(ABC, Generic[L]):
     """Counts explanations of some plans.
 
-    Args:
-        plans: the plans.
-        matcher: what is known of their parameters before anything was seen.
-        noise: the factor on a score for each needless observation; None allows none.
-        priors: per plan the prior of its goal; None weighs all alike.
-        measure: the score.
+    ``matcher`` says what is known of their parameters before anything was seen, ``noise`` is the factor on a score for
+    each needless observation (None allows none), ``priors`` are those of the plans' goals (None weighs all alike).
     """
 
     goals = 1  # how many may be pursued at once
@@ -73,8 +69,6 @@ class Kernel(ABC, Generic[L]):
         self.labels = [plan.label for plan in plans]
         self.index = {label: at for at, label in enumerate(dict.fromkeys(self.labels))}
 
-    # --- counting --------------------------------------------------------------------------------------------------
-
     @abstractmethod
     def begin(self) -> L:
         """The level before the first observation."""
@@ -82,8 +76,6 @@ class Kernel(ABC, Generic[L]):
     @abstractmethod
     def advance(self, level: L, seen: Seen, matcher: Matcher) -> L:
         """The next level."""
-
-    # --- what was counted ------------------------------------------------------------------------------------------
 
     @abstractmethod
     def count(self, level: L) -> int:
@@ -99,7 +91,7 @@ class Kernel(ABC, Generic[L]):
 
     def posterior(self, level: L) -> Mapping[str, float]:
         """Each goal's share of all weights."""
-        return posterior_by(self.labels, self.masses(level))
+        return posterior_by(self.labels, self.masses(level), self.total(level))
 
     def total(self, level: L) -> float:
         """The sum of all weights."""
@@ -134,8 +126,6 @@ class Kernel(ABC, Generic[L]):
         """Whether every explanation was counted."""
         return True
 
-    # --- single explanations ---------------------------------------------------------------------------------------
-
     def binding(self, plan: int) -> Binding:
         """What is known of a plan's parameters where only names count: nothing."""
         unknown = self.matcher.initial(plan)
@@ -153,25 +143,17 @@ class Kernel(ABC, Generic[L]):
 
     def leading_of(self, tops: Sequence[Top]) -> Leading | None:
         """The best of these and its rivals."""
-        if not tops:
-            return None
-        weight = max(tops)[0]
-        least = least_tie(weight)
-        equal = [top for top in tops if top[0] >= least]
-        if len(equal) == 1:
-            return weight, equal[0][1], equal[0][2], 0, equal[0][3]
-        plans = min([top[1] for top in equal if top[0] == weight])
+        equal = best_of(tops)
+        if len(equal) <= 1:
+            return (*equal[0][:3], 0, equal[0][3]) if equal else None
+        weight, plans = min([(-top[0], top[1]) for top in equal])
         goals = self.goals_of(plans)
         same = [top for top in equal if top[1] == plans or self.goals_of(top[1]) == goals]
         ties, ours = sum([top[3] for top in equal]), sum([top[3] for top in same])
-        return weight, plans, min([top[2] for top in same]), ties - ours, ties
+        return -weight, plans, min([top[2] for top in same]), ties - ours, ties
 
 
-class Listing(Kernel[L]):
-    """A kernel that keeps what led to each of its states."""
-
-    asks = True
-
-    @abstractmethod
-    def paths(self, level: L, plans: Plans) -> Iterator[Path]:
-        """The explanations of exactly these plans, best first, lazily; equal ones in the order of their marks."""
+def best_of(tops: Sequence[T]) -> list[T]:
+    """Those that weigh as much as the best."""
+    least = least_tie(max([top[0] for top in tops], default=0.0))
+    return [top for top in tops if top[0] >= least]

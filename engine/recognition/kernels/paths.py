@@ -13,6 +13,7 @@ from typing import Any, TypeAlias, TypeVar
 
 S = TypeVar("S")
 Mark: TypeAlias = Any  # what a step is told as; marks of one level compare with one another
+Onward: TypeAlias = dict[S, list[tuple[Mark, S, float]]]  # by state: mark, following state and factor of each step
 Back: TypeAlias = Callable[[int, S], Iterable[tuple[S, Mark, float]]]
 """(level, state) -> the states of the level before that lead here, each with the step's mark and factor."""
 
@@ -39,15 +40,13 @@ def best_first(finals: Mapping[S, float], back: Back[S], steps: int) -> Iterator
             heappush(heap, (-reached * ahead[level + 1][following], (*marks, mark), next(order), following, reached))
 
 
-def _look_ahead(
-    finals: Mapping[S, float], back: Back[S], steps: int
-) -> tuple[list[dict[S, float]], list[dict[S, list[tuple[Mark, S, float]]]]]:
+def _look_ahead(finals: Mapping[S, float], back: Back[S], steps: int) -> tuple[list[dict[S, float]], list[Onward[S]]]:
     """Per level what each state can still become at best, and the steps that lead on from it."""
     ahead: list[dict[S, float]] = [dict(finals)]
-    forward: list[dict[S, list[tuple[Mark, S, float]]]] = []
+    forward: list[Onward[S]] = []
     for level in range(steps, 0, -1):
         bounds: dict[S, float] = {}
-        onward: dict[S, list[tuple[Mark, S, float]]] = {}
+        onward: Onward[S] = {}
         for state, bound in ahead[-1].items():
             for before, mark, factor in back(level, state):
                 bounds[before] = max(bounds.get(before, 0.0), factor * bound)

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tellers import Counting
 
 from casper.engine.explanation.explanation import Explanation
-from casper.engine.recognition.tree_copying import MarkedTree, explanations
+from casper.engine.explanation.tree_copying import MarkedTree, explanations
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation
 from casper.kb.terms.terms import Compound, Variable

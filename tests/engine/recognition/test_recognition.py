@@ -12,8 +12,7 @@ from casper.engine.recognition.arrays.arrays import Arrays
 from casper.engine.recognition.arrays.noisy_arrays import NoisyArrays
 from casper.engine.recognition.arrays.pairs import Pairs
 from casper.engine.recognition.kernels.chains import Chains
-from casper.engine.recognition.kernels.counting import Counting
-from casper.engine.recognition.kernels.interleaving import Interleaving
+from casper.engine.recognition.kernels.counting import Counting, Interleaving
 from casper.engine.recognition.options import Options
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.kb.errors import CasperError

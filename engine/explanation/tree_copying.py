@@ -1,6 +1,6 @@
 """Algorithm 1 of the paper, word for word: the executable specification of what explanations there are.
 
-It copies a whole marked tree for every explanation, so it is slow; `counting` must give the same.
+It copies a whole marked tree for every explanation, so it is slow; the kernel `counting` must give the same.
 """
 
 from __future__ import annotations
