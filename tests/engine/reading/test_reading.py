@@ -133,3 +133,11 @@ def test_verdicts_may_depend_on_what_was_done_before(tmp_path):
     hot.observe("warm")
     hot.observe("eat")
     assert hot.outcome == "hot"
+
+
+def test_the_best_explanation_alone_is_what_one_gets_without_a_number():
+    seen = reading("eat", verification=False)
+    assert seen.count > 1
+    assert seen.best() == [seen.first]
+    assert [found.goal for found in seen.best(2)] != []
+    assert len(seen.best(2)) == 2
