@@ -1,6 +1,6 @@
 """The first of equally good explanations, found without listing any, against listing all."""
 
-from itertools import product
+from itertools import pairwise, product
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -15,7 +15,7 @@ def every_marking(leaves, seen):
     for marks in product(range(-1, len(leaves)), repeat=len(seen)):
         marked = [leaf for leaf in marks if leaf >= 0]
         fits = all(leaf < 0 or leaves[leaf] == name for leaf, name in zip(marks, seen))
-        if fits and marked and all(a < b for a, b in zip(marked, marked[1:])):
+        if fits and marked and all(a < b for a, b in pairwise(marked)):
             yield marks
 
 
