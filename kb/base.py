@@ -9,11 +9,15 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
+from itertools import islice
 
+from casper.kb.errors import BudgetExceeded, Undefined
 from casper.kb.goals.goals import Predicate
-from casper.kb.program.refusals import check_defined, undefined_sentence
+from casper.kb.program.refusals import check_computable, check_defined, undefined_sentence
+from casper.kb.reasons.doubt import Doubt, doubt_of
 from casper.kb.reasons.proof import Proof
 from casper.kb.reasons.repair import Repair, repairs
 from casper.kb.reasons.validity import History, Verdict, valid_instances, verify
@@ -23,8 +27,10 @@ from casper.kb.relations.relation import Row
 from casper.kb.store.clause_store import MOST_INDEXED, NO_HISTORY, ClauseStore, Statement
 from casper.kb.store.model import Model
 from casper.kb.terms.clauses import SYSTEM, Indicator, Literal
-from casper.kb.terms.terms import Compound, Term, Variable, predication
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import is_ground, substitute
+from casper.kb.terms.unknown import DOUBT
 from casper.kb.text.reader import read_query
 from casper.kb.top_down.solve import DEFAULT_BUDGET
 
@@ -41,6 +47,7 @@ class KnowledgeBase(ClauseStore):
 
         Raises:
             ProgramError: nothing defines the predicate. BudgetExceeded: the answer is unknown.
+            Undefined: it is neither true nor false, with the reason.
         """
         try:
             if statement in self._true:
@@ -67,11 +74,23 @@ class KnowledgeBase(ClauseStore):
                 if type(value) is not str:
                     break
             else:
-                return False  # every part is a name, so there is nothing to look for
+                if relation.undefined is None:
+                    return False  # every part is a name, so there is nothing to look for
         atom = self._statement(statement)
-        if relation is not None and is_ground(atom):
+        if relation is not None and relation.undefined is None and is_ground(atom):
             return atom.args in relation
         return next(self.instances(atom), None) is not None
+
+    def truth(self, statement: Statement) -> str:
+        """``"true"``, ``"false"`` or ``"undefined"``; with unknown parts, whether it is so for some value.
+
+        Raises:
+            ProgramError: nothing defines the predicate. BudgetExceeded: the answer is unknown.
+        """
+        try:
+            return "true" if self.ask(statement) else "false"
+        except Undefined:
+            return "undefined"
 
     def _index(self, model: Model) -> None:
         """One set of every stored statement that holds, where there are not too many: the fast way to a yes."""
@@ -88,6 +107,7 @@ class KnowledgeBase(ClauseStore):
         timeout: float | None = None,
         budget: int = DEFAULT_BUDGET,
         cancelled: Callable[[], bool] | None = None,
+        undefined: bool = False,
     ) -> Iterator[dict[str, Term]]:
         """Answers to a conjunction (``eat(A, T, D), \\+ D = sink``) in any direction, lazily, each once.
 
@@ -99,14 +119,18 @@ class KnowledgeBase(ClauseStore):
             timeout: seconds from the first answer's search on, after which the rest is unknown.
             budget: resolution steps after which the rest is unknown.
             cancelled: asked now and then; when it says True the search stops (a thread's ``event.is_set``, say).
+            undefined: give the answers that are neither true nor false instead.
 
         Raises:
             ReadError, ProgramError, BudgetExceeded.
+            Undefined: after the last true answer, when there are undefined ones.
         """
         alternatives = _query_of_text(goal)
         for literal in (x for body in alternatives for x in body):
             check_defined(literal, self._model.program.clauses)
-        return self._answers(alternatives, limit, timeout, budget, cancelled)
+            check_computable(literal)
+        answers = self._answers(alternatives, limit, timeout, budget, cancelled, undefined)
+        return ({name: value for name, value in zip(names, row)} for names, row in answers)
 
     def _answers(
         self,
@@ -115,54 +139,88 @@ class KnowledgeBase(ClauseStore):
         timeout: float | None,
         budget: int,
         cancelled: Callable[[], bool] | None,
-    ) -> Iterator[dict[str, Term]]:
+        undefined: bool,
+    ) -> Iterator[tuple[list[str], Row]]:
         seen: set[Row] = set()
+        doubts: dict[Row, tuple[list[str], str]] = {}
         solver = self.solver(budget)
         solver.deadline = None if timeout is None else time.monotonic() + timeout
         solver.cancelled = cancelled
         for body in alternatives:
-            names = [v for v in dict.fromkeys(v for x in body for v in x.variables()) if not v.name.startswith("_")]
-            for solution in solver.solve(body):
-                row = tuple(substitute(name, solution) for name in names)
-                if row not in seen:
-                    if limit is not None and len(seen) >= limit:
+            variables = dict.fromkeys(v for x in body for v in x.variables() if not v.name.startswith("_"))
+            names = [variable.name for variable in variables]
+            for solution in solver.possible(body):
+                row = tuple(substitute(variable, solution) for variable in variables)
+                if DOUBT in solution:
+                    doubts.setdefault(row, (names, str(solution[DOUBT])))
+                elif row not in seen:
+                    if limit is not None and len(seen) >= limit and not undefined:
                         return
                     seen.add(row)
-                    yield {name.name: value for name, value in zip(names, row)}
+                    if not undefined:
+                        yield names, row
+        left = {row: doubt for row, doubt in doubts.items() if row not in seen}
+        if undefined:
+            yield from ((names, row) for row, (names, _) in islice(left.items(), limit))
+        elif left and (limit is None or len(seen) < limit):
+            raise Undefined(_undefined_answers(left))
 
     def instances(self, statement: Statement) -> Iterator[Compound]:
-        """Every instance of one atom that holds, lazily, each once; a part that may be anything stays a variable."""
+        """Every instance of one atom that holds, lazily, each once; a part that may be anything stays a variable.
+
+        Raises:
+            Undefined: after the last one, when some other instance is undefined.
+        """
         atom = self._statement(statement)
         self.check_known(atom.indicator)
         seen: set[Compound] = set()
-        for solution in self.solver().solve([Literal(atom)]):
+        doubts: dict[Compound, None] = {}
+        for solution in self.solver().possible([Literal(atom)]):
             instance: Compound = substitute(atom, solution)
-            if instance not in seen:
+            if DOUBT in solution:
+                doubts.setdefault(instance)
+            elif instance not in seen:
                 seen.add(instance)
                 yield instance
+        doubtful = next((instance for instance in doubts if instance not in seen), None)
+        if doubtful is not None:
+            raise Undefined((doubt_of(doubtful, self.solver()) or Doubt(doubtful)).sentence)
 
     def rows(self, name: str, arity: int) -> Iterator[Row]:
-        """The rows of a predicate as tuples of constants; none when it is not defined."""
+        """The rows of a predicate as tuples of constants; none when it is not defined.
+
+        Raises:
+            Undefined: after the last one, when some other row is undefined.
+        """
         if (name, arity) in self._model.program.clauses:
             relation = self.stored((name, arity))
             if relation is not None:
                 yield from list(relation)
+                for row in relation.undefined or ():
+                    raise Undefined(f"{term_text(as_term(Compound((name, *row))))} is undefined")
             else:
                 pattern = Compound([name, *(Variable(f"X{at}") for at in range(arity))])
                 yield from (answer.args for answer in self.instances(pattern) if is_ground(answer))
 
     # --- reasons ---------------------------------------------------------------------------------------------------
 
-    def why(self, statement: Statement) -> Proof | None:
-        """A proof of the statement (of its first instance, where it has unknown parts), or None when it fails."""
+    def why(self, statement: Statement) -> Proof | Doubt | None:
+        """A proof of the statement (of its first instance, where it has unknown parts), or None when it fails.
+
+        Of a statement that is undefined, the circle or the failed evaluation that makes it so.
+        """
         atom = self._statement(statement)
         self.check_known(atom.indicator)
-        if not is_ground(atom):
-            first = next((a for a in self.instances(atom) if is_ground(a)), None)
-            if first is None:
-                return None
-            atom = first
-        return prove(atom, self._model.proofs, self.solver(), self._model.given)
+        try:
+            if not is_ground(atom):
+                first = next((a for a in self.instances(atom) if is_ground(a)), None)
+                if first is None:
+                    return None
+                atom = first
+            proof = prove(atom, self._model.proofs, self.solver(), self._model.given, self._model.program.strata)
+        except Undefined:
+            proof = None
+        return proof or doubt_of(atom, self.solver())
 
     def why_not(self, statement: Statement, history: History = NO_HISTORY) -> Refusal | None:
         """Why the statement is not provable or not valid; None when it is both."""
@@ -179,13 +237,20 @@ class KnowledgeBase(ClauseStore):
         provable = next(self.solver(history=history).solve([Literal(atom)]), None)
         if provable is None:
             tried = tuple(attempts(atom, self._model.program.clauses[atom.indicator], self.solver(history=history)))
-            return Refusal(atom, tried, tuple(self._violations(atom, history) if is_ground(atom) else ()))
-        if next(valid_instances(atom, self.solver(history=history), self._model.constraints), None) is not None:
-            return None
+            doubt = doubt_of(atom, self.solver(history=history))
+            violations = tuple(self._violations(atom, history) if is_ground(atom) else ())
+            return Refusal(atom, tried, violations, doubt="" if doubt is None else doubt.sentence)
+        try:
+            if next(valid_instances(atom, self.solver(history=history), self._model.constraints), None) is not None:
+                return None
+        except Undefined:
+            pass
         return Refusal(atom, (), tuple(self._violations(substitute(atom, provable), history)), provable=True)
 
-    def _violations(self, atom: Compound, history: History) -> Iterator[Violation]:
-        return self._model.constraints.broken_by(atom, self.solver(history=history))
+    def _violations(self, atom: Compound, history: History) -> list[Violation]:
+        """The constraints that are broken; where none is, those that may be."""
+        found = list(self._model.constraints.judged(atom, self.solver(history=history)))
+        return [v for v in found if not v.doubt] or found
 
     def _history(self, history: History) -> History:
         return [(self._statement(statement), seconds) for statement, seconds in history]
@@ -200,9 +265,19 @@ class KnowledgeBase(ClauseStore):
             return Verdict(atom, False, atom, Refusal(atom, undefined=self._undefined(atom.indicator)))
         history = self._history(history)
         verdict = verify(atom, self.solver(history=history), self._model.constraints)
-        if verdict.valid is not False:
+        if verdict.valid is None:
+            return self._with_reason(verdict, history)
+        if verdict.valid:
             return verdict
         return Verdict(atom, False, atom, self.why_not(atom, history))
+
+    def _with_reason(self, verdict: Verdict, history: History) -> Verdict:
+        """An unknown verdict with the whole reason, where the statement itself is undefined."""
+        try:
+            doubt = doubt_of(verdict.statement, self.solver(history=history))
+        except BudgetExceeded:
+            return verdict
+        return verdict if doubt is None else replace(verdict, remark=doubt.sentence)
 
     def repair(self, statement: Statement, history: History = NO_HISTORY, limit: int = 3) -> list[Repair]:
         """The smallest changes of base facts that make the statement valid; none for one that is, or beyond mending."""
@@ -244,3 +319,11 @@ class KnowledgeBase(ClauseStore):
             return undefined_sentence(indicator, known)
         close = get_close_matches(name, sorted({other for other, _ in known}), n=1)
         return f"there is no action {name}/{arity} here" + (f"; did you mean {close[0]}?" if close else "")
+
+
+def _undefined_answers(left: dict[Row, tuple[list[str], str]]) -> str:
+    """The sentence for answers that are undefined."""
+    row, (names, reason) = next(iter(left.items()))
+    shown = ", ".join(f"{name} = {term_text(value)}" for name, value in zip(names, row)) or "the answer"
+    more = f" and {len(left) - 1} more" if len(left) > 1 else ""
+    return f"{shown}{more} {'are' if more else 'is'} undefined: {reason}"

@@ -10,9 +10,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from casper.kb.bottom_up.row_fixpoint import fixpoint_of
+from casper.kb.bottom_up.size import MOST_ROWS, Room
+from casper.kb.bottom_up.stratum import Stratum
 from casper.kb.program.program import Program
 from casper.kb.relations.relation import Relation
+from casper.kb.relations.undefined import possible
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound
 
@@ -25,8 +27,8 @@ def least_heights(program: Program, relations: Mapping[Indicator, Relation]) -> 
     rules = {indicator: tuple(_settled(rule) for rule in program.rules[indicator]) for indicator in stored}
     found = {indicator: Relation(*indicator, program.given[indicator]) for indicator in stored}
     everything = dict(found)
-    everything.update((_final(indicator), relations[indicator]) for indicator in stored)
-    fixpoint_of(replace(program, rules=rules), stored, everything)
+    everything.update((_final(indicator), possible(relations[indicator])) for indicator in stored)
+    Stratum(replace(program, rules=rules), stored, everything, Room(MOST_ROWS, everything)).run(0)
     return found
 
 

@@ -10,15 +10,19 @@ from collections.abc import Callable, Iterable, Mapping, Set
 from typing import Any, TypeAlias
 
 from casper.kb.relations.relation import Relation, Row
+from casper.kb.relations.undefined import Possible
+from casper.kb.terms.arithmetic import EvaluationFailed
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.comparison import compare, is_ready
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, variables_of
+from casper.kb.terms.unknown import UNKNOWN, may_equal
 
 Environment: TypeAlias = list[Term]
 Step: TypeAlias = Callable[[Environment], None]
 Slots: TypeAlias = dict[Variable, int]
 Emit: TypeAlias = Callable[[Row], None]
+Failed: TypeAlias = Callable[[Bindings], None]
 NOBODY: frozenset[Variable] = frozenset()
 
 
@@ -38,7 +42,7 @@ class Join:
     ) -> None:
         self.clause = clause
         self._slots: Slots = {variable: at for at, variable in enumerate(clause.variables())}
-        self._context: list[Any] = [None, (), None]  # relations, delta rows, emit
+        self._context: list[Any] = [None, (), None, None, None]  # relations, delta rows, emit, absent, failed
         known = set(variables_of(clause.head)) if bound_head else set()
         body = [
             (x, at, at == delta_at)
@@ -48,7 +52,7 @@ class Join:
         tested = [_apart(x) for x, _, is_delta in body if is_delta and x.negated and negations]
         for variable in (v for x in tested for v in x.variables()):
             self._slots.setdefault(variable, len(self._slots))
-        self._head = _Binder([(c, arg) for c, arg in enumerate(clause.head.args)], NOBODY, self._slots)
+        self._head = Binder([(c, arg) for c, arg in enumerate(clause.head.args)], NOBODY, self._slots)
         self._step = self._compiled([*body, *((x, -1, False) for x in tested)], known)
 
     def _compiled(self, body: list[tuple[Literal, int, bool]], known: set[Variable]) -> Step:
@@ -60,27 +64,42 @@ class Join:
             step = self._condition(literal, before, is_delta, step)
         return step
 
-    def run(self, relations: Mapping[Indicator, Relation], rows: Iterable[Row], emit: Emit) -> None:
-        """Emit every head row that the rule derives; the delta condition ranges over ``rows``."""
-        self._context[:] = relations, rows, emit
+    def run(
+        self,
+        relations: Mapping[Indicator, Relation],
+        rows: Iterable[Row],
+        emit: Emit,
+        absent: Mapping[Indicator, Relation] | None = None,
+        failed: Failed | None = None,
+    ) -> None:
+        """Emit every head row that the rule derives; the delta condition ranges over ``rows``.
+
+        Args:
+            relations: where conditions are looked up.
+            absent: where negated ones are; the same when it is None.
+            failed: called with what is known of the rule's variables where an evaluation fails.
+        """
+        self._context[:] = relations, rows, emit, relations if absent is None else absent, failed
         self._step([None] * len(self._slots))
 
-    def first(self, relations: Mapping[Indicator, Relation]) -> dict[Variable, Term] | None:
-        """One solution of the body, or None when there is none."""
+    def first(
+        self, relations: Mapping[Indicator, Relation], failed: Failed | None = None
+    ) -> dict[Variable, Term] | None:
+        """One solution of the body, or None when there is none; negations see undefined rows as possible."""
         environment: Environment = [None] * len(self._slots)
-        self._context[:] = relations, (), _stop
+        self._context[:] = relations, (), _stop, Possible(relations), failed
         try:
             self._step(environment)
         except _Found:
             return {variable: environment[slot] for variable, slot in self._slots.items()}
         return None
 
-    def derives(self, relations: Mapping[Indicator, Relation], row: Row) -> bool:
+    def derives(self, relations: Mapping[Indicator, Relation], row: Row, failed: Failed | None = None) -> bool:
         """Whether the rule derives this head row (the join was compiled with ``bound_head``)."""
         environment: Environment = [None] * len(self._slots)
         if not self._head(row, environment):
             return False
-        self._context[:] = relations, (), _stop
+        self._context[:] = relations, (), _stop, relations, failed
         try:
             self._step(environment)
         except _Found:
@@ -88,7 +107,7 @@ class Join:
         return False
 
     def _emit_step(self) -> Step:
-        build, context = _row_builder(list(self.clause.head.args), self._slots), self._context
+        build, context = row_builder(list(self.clause.head.args), self._slots), self._context
 
         def emit(environment: Environment) -> None:
             context[2](build(environment))
@@ -97,11 +116,11 @@ class Join:
 
     def _condition(self, literal: Literal, known: Set[Variable], is_delta: bool, then: Step) -> Step:
         if literal.is_comparison:
-            return _comparison_step(literal, known, self._slots, then)
+            return _comparison_step(literal, known, self._slots, self._context, then)
         indicator, args, context = literal.atom.indicator, literal.atom.args, self._context
         columns = tuple(c for c, arg in enumerate(args) if set(variables_of(arg)) <= known)
-        key = _row_builder([args[c] for c in columns], self._slots)
-        bind = _Binder([(c, arg) for c, arg in enumerate(args) if c not in columns], known, self._slots)
+        key = row_builder([args[c] for c in columns], self._slots)
+        bind = Binder([(c, arg) for c, arg in enumerate(args) if c not in columns], known, self._slots)
 
         def lookup(environment: Environment) -> None:
             for row in context[0][indicator].matching(columns, key(environment)):
@@ -115,7 +134,7 @@ class Join:
                     then(environment)
 
         def absent(environment: Environment) -> None:
-            if not any(bind(row, environment) for row in context[0][indicator].matching(columns, key(environment))):
+            if not any(bind(row, environment) for row in context[3][indicator].matching(columns, key(environment))):
                 then(environment)
 
         return scan if is_delta else absent if literal.negated else lookup
@@ -175,12 +194,18 @@ def _binds(literal: Literal) -> set[Variable]:
     return set(variables_of(literal.atom))
 
 
-def _comparison_step(literal: Literal, known: Set[Variable], slots: Slots, then: Step) -> Step:
+def _comparison_step(literal: Literal, known: Set[Variable], slots: Slots, context: list[Any], then: Step) -> Step:
     before = [(v, slots[v]) for v in literal.variables() if v in known]
     after = [(v, slots[v]) for v in literal.variables() if v not in known]
+    everything = [(v, slots[v]) for v in known if v in slots]
 
     def test(environment: Environment) -> None:
-        extended = compare(literal, {v: environment[slot] for v, slot in before})
+        try:
+            extended = compare(literal, {v: environment[slot] for v, slot in before})
+        except EvaluationFailed:
+            if context[4] is not None:
+                context[4]({v: environment[slot] for v, slot in everything})
+            return
         if extended is not None:
             for variable, slot in after:
                 environment[slot] = extended.get(variable)
@@ -189,7 +214,7 @@ def _comparison_step(literal: Literal, known: Set[Variable], slots: Slots, then:
     return test
 
 
-def _row_builder(terms: list[Term], slots: Slots) -> Callable[[Environment], Row]:
+def row_builder(terms: list[Term], slots: Slots) -> Callable[[Environment], Row]:
     """A function from the environment to the row of the terms' values."""
     if all(isinstance(term, Variable) for term in terms):
         at = [slots[term] for term in terms]
@@ -211,7 +236,7 @@ def _value(term: Term, environment: Environment, slots: Slots) -> Term:
     return term
 
 
-class _Binder:
+class Binder:
     """Stores a row's open columns in the environment; False where a constant or a repeated variable disagrees."""
 
     __slots__ = ("known", "pairs", "rest", "slots")
@@ -233,9 +258,11 @@ class _Binder:
 
 def _match(term: Term, value: Term, environment: Environment, slots: Slots, assigned: set[Variable]) -> bool:
     """One-way unification of a pattern with a ground value."""
+    if value is UNKNOWN:
+        return True  # only a negation looks at undefined rows here: it must not hold for certain
     if isinstance(term, Variable):
         if term in assigned:
-            return bool(environment[slots[term]] == value)
+            return bool(environment[slots[term]] == value) or may_equal(environment[slots[term]], value)
         assigned.add(term)
         environment[slots[term]] = value
         return True

@@ -68,10 +68,7 @@ def check_sentences(sentences: Sequence[Sentence], context: Context = _ALONE) ->
         findings.extend(mistakes)
         if mistakes or any(not x.is_comparison and x.atom.indicator not in {*known, *SYSTEM} for x in clause.body):
             faulty.append(clause)
-    circles = list(negative_circles(clauses))
-    findings.extend(circle for circle, _ in circles)
-    circular = {i for _, group in circles for i in group}
-    faulty.extend(c for c in clauses if c.head.indicator in circular and c not in faulty)
+    findings.extend(negative_circles([c for c in clauses if not c.is_constraint]))
     findings.extend(single_variables(sentences))
     findings.extend(arity_clashes(clauses, context.exempt))
     findings.extend(duplicates(sentences))

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.checks.finding import Finding, error, warning
-from casper.kb.errors import CasperError
+from casper.kb.errors import CasperError, Undefined
 from casper.kb.reasons.proof import Proof
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
@@ -91,6 +91,9 @@ def broken_constraints(
                 facts = _clashing(kb, [substitute(x.atom, dict(values)) for x in body if _looks_up(x)])
                 shown = ", ".join(facts) or ", ".join(literal_text(x) for x in body)
                 yield error(constraint.place, f'the facts break "{constraint.head[1]}": {shown}')
+        except Undefined as doubt:
+            sentence = f'whether the facts break "{constraint.head[1]}" is undefined: {doubt.sentence}'
+            yield warning(constraint.place, sentence)
         except CasperError:
             continue  # it cannot be decided by the facts alone
 
@@ -116,7 +119,7 @@ def _clashing(kb: KnowledgeBase, atoms: Sequence[Compound]) -> list[str]:
     found: dict[str, None] = {}
     for atom in atoms:
         proof = kb.why(atom) if is_ground(atom) else None
-        for fact, place in _given(proof):
+        for fact, place in _given(proof if isinstance(proof, Proof) else None):
             found[f"{term_text(as_term(fact))}{place}"] = None
     return list(found)
 

@@ -51,8 +51,7 @@ def own_mistakes(clause: Clause) -> Iterator[Finding]:
     try:
         analyse([clause], needed - {clause.head.indicator})
     except ProgramError as mistake:
-        if "runs in a circle" not in mistake.sentence:  # circles are looked for in the whole program
-            yield finding_of(mistake, clause.place)
+        yield finding_of(mistake, clause.place)
 
 
 def unbound_conditions(clause: Clause) -> Iterator[Finding]:

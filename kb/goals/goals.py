@@ -8,14 +8,18 @@ through ``unify``.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import count
 from typing import Any, Protocol, TypeAlias
 
 from unification import Var, isvar, reify, unify, var
 from unification.core import _reify, _reify_Iterable_ctor
 
+from casper.kb.errors import Undefined
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Indicator
-from casper.kb.terms.terms import Compound, Term, Variable
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, Term, Variable, as_term
+from casper.kb.terms.unknown import opened
 
 State: TypeAlias = Any  # a mapping of kanren variables, perhaps a ConstrainedState
 Goal: TypeAlias = Callable[[State], Iterator[State]]
@@ -53,6 +57,8 @@ class Predicate:
     def __call__(self, *args: Any) -> Goal:
         """A goal that holds for every row (or proof) the arguments can be.
 
+        After the last of them the goal raises `Undefined` when the arguments can be an undefined row as well.
+
         Raises:
             ProgramError: the name is not defined with this many arguments.
         """
@@ -65,9 +71,12 @@ class Predicate:
             relation = base.stored(indicator)
             if relation is None:
                 return _derived(base, indicator[0], reify(args, state), state)
-            if plain:
+            if plain and (args in relation or relation.undefined is None):
                 return iter((state,)) if args in relation else iter(())
-            return stored_goal(relation, tuple([_walked(arg, state) for arg in args]), state)
+            walked = tuple([_walked(arg, state) for arg in args])
+            if relation.undefined is not None:
+                return _then_doubts(relation, walked, state)
+            return stored_goal(relation, walked, state)
 
         return goal
 
@@ -112,6 +121,16 @@ def stored_goal(relation: Relation, args: Row, state: State) -> Iterator[State]:
             extended = unify(left, tuple([row[at] for at, _ in open_]), state)
             if extended is not False:
                 yield extended
+
+
+def _then_doubts(relation: Relation, args: Row, state: State) -> Iterator[State]:
+    """As `stored_goal`; raises `Undefined` after the last state when the arguments can be an undefined row."""
+    yield from stored_goal(relation, args, state)
+    assert relation.undefined is not None
+    for row in relation.undefined:
+        if args not in relation and unify(args, tuple(_to_kanren(opened(x, count()), {}) for x in row), state) is not False:
+            sentence = f"{term_text(as_term(Compound((relation.name, *row))))} is undefined"
+            raise Undefined(sentence)
 
 
 def _is_hashable(args: Row) -> bool:

@@ -13,8 +13,8 @@ from itertools import chain
 from typing import TypeAlias
 
 from casper.kb.program.listing import unlisted
-from casper.kb.program.refusals import check_bound, check_defined, check_own, checked_constraint
-from casper.kb.program.strata import dependents, levels_of
+from casper.kb.program.refusals import check_bound, check_computable, check_defined, check_own, checked_constraint
+from casper.kb.program.strata import dependents, levels_of, negative_circles
 from casper.kb.relations.relation import Row
 from casper.kb.terms.clauses import DID, NOWHERE, SYSTEM, Clause, Indicator
 from casper.kb.terms.terms import Compound
@@ -39,6 +39,7 @@ class Program:
     strata: tuple[frozenset[Indicator], ...]  # of the stored predicates, lowest first
     situational: frozenset[Indicator]
     top_down: frozenset[Indicator]
+    circular: frozenset[Indicator] = frozenset()  # where negation runs in a circle; each circle is a stratum
 
     @cached_property
     def looks_back(self) -> bool:
@@ -59,7 +60,8 @@ def analyse(
 
     Raises:
         ProgramError: an undefined predicate, a redefined system predicate, a constraint without a sentence,
-            a variable that nothing binds under a negation, or negation through recursion (the cycle is named).
+            a variable that nothing binds under a negation, a function that nothing computes, or an aggregate that is
+            part of what it is worked out of (the circle is named).
     """
     predicates: dict[Indicator, list[Clause]] = {}
     for indicator in dynamic:
@@ -86,13 +88,14 @@ def analyse(
     for clause in (*(c for found in rules.values() for c in found), *constraints):
         for literal in clause.body:
             check_defined(literal, table)
+            check_computable(literal)
             check_bound(literal, clause)
-    strata, situational, top_down = _split(rules)
+    split = _split(rules)
     resolved = dict(rules)
-    for indicator in top_down:
+    for indicator in split.top_down:
         loaded = (Clause(Compound((indicator[0], *row))) for row, clause in given[indicator].items() if clause is None)
         resolved[indicator] = (*table[indicator], *loaded)
-    return Program(resolved, rules, given, tuple(constraints), strata, situational, top_down)
+    return Program(resolved, rules, given, tuple(constraints), **vars(split))
 
 
 def is_given(clause: Clause) -> bool:
@@ -100,17 +103,25 @@ def is_given(clause: Clause) -> bool:
     return not clause.body and is_ground(clause.head)
 
 
-def _split(
-    rules: Mapping[Indicator, tuple[Clause, ...]],
-) -> tuple[tuple[frozenset[Indicator], ...], frozenset[Indicator], frozenset[Indicator]]:
-    """The strata of the stored predicates, the situational predicates, and all that are answered top-down."""
+def _split(rules: Mapping[Indicator, tuple[Clause, ...]]) -> _Split:
+    """The strata of the stored predicates, and how all others are answered."""
     levels = levels_of(rules)
+    circles = [group for group, _, _ in negative_circles(rules)]
     situational = dependents(rules, set(SYSTEM))
     top_down = situational | unlisted(rules)
     top_down = dependents(rules, top_down) | top_down
-    by_level: dict[int, list[Indicator]] = {}
+    circle_of = {i: number for number, group in enumerate(circles, 1) for i in group}
+    by_level: dict[tuple[int, int], list[Indicator]] = {}
     for indicator, level in levels.items():
         if indicator not in top_down:
-            by_level.setdefault(level, []).append(indicator)
+            by_level.setdefault((level, circle_of.get(indicator, 0)), []).append(indicator)
     strata = tuple(frozenset(by_level[level]) for level in sorted(by_level))
-    return strata, frozenset(situational), frozenset(top_down)
+    return _Split(strata, frozenset(situational), frozenset(top_down), frozenset(circle_of))
+
+
+@dataclass(frozen=True)
+class _Split:
+    strata: tuple[frozenset[Indicator], ...]
+    situational: frozenset[Indicator]
+    top_down: frozenset[Indicator]
+    circular: frozenset[Indicator]

@@ -6,7 +6,9 @@ from collections.abc import Collection
 from difflib import get_close_matches
 
 from casper.kb.errors import Place, ProgramError
+from casper.kb.terms.arithmetic import CONSTANTS, FUNCTIONS
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
+from casper.kb.terms.comparison import misspelt
 from casper.kb.terms.syntax import COMPARISONS
 from casper.kb.terms.unification import variables_of
 
@@ -30,6 +32,21 @@ def check_defined(literal: Literal, known: Collection[Indicator]) -> None:
     if literal.atom.indicator not in known:
         place = literal.place if literal.place.line else None
         raise ProgramError(undefined_sentence(literal.atom.indicator, known), place)
+
+
+def check_computable(literal: Literal) -> None:
+    """Refuse an expression with a function or constant that nothing computes.
+
+    Raises:
+        ProgramError: naming it, and its likely spelling.
+    """
+    if literal.is_comparison:
+        for name in misspelt(literal):
+            function, _, arity = name.rpartition("/")
+            known = {n for n, a in FUNCTIONS if a == int(arity)} if arity != "0" else set(CONSTANTS)
+            close = get_close_matches(function, sorted(known), n=1)
+            hint = f"; did you mean {close[0]}?" if close else ""
+            raise ProgramError(f"nothing computes {name}{hint}", literal.place if literal.place.line else None)
 
 
 def undefined_sentence(indicator: Indicator, known: Collection[Indicator]) -> str:

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol, Self
 
+from casper.kb.reasons.doubt import Doubt
 from casper.kb.reasons.proof import Proof
 from casper.kb.reasons.validity import History
 from casper.kb.reasons.why_not import Refusal, Violation, attempts
@@ -70,7 +71,7 @@ class Mendable(Protocol):
     def solver(self) -> Solver:
         """What proves conditions."""
 
-    def why(self, statement: Compound, /) -> Proof | None:
+    def why(self, statement: Compound, /) -> Proof | Doubt | None:
         """A proof of the statement."""
 
     def why_not(self, statement: Compound, history: History, /) -> Refusal | None:
@@ -121,7 +122,7 @@ def _mend(base: Mendable, literal: Literal, depth: int) -> Iterator[Repair]:
     if literal.is_comparison or not is_ground(atom) or atom.indicator in SYSTEM or depth == 0:
         return
     if literal.negated:
-        yield from _shake(base, atom)
+        yield from _shake(base, atom, depth - 1)
         return
     clauses = base.clauses_of(atom.indicator)
     rules = [c for c in clauses if c.body]
@@ -140,17 +141,33 @@ def _unclash(base: Mendable, violation: Violation) -> Iterator[Repair]:
         if literal.negated:
             yield from _mend(base, Literal(literal.atom), DEEPEST)
         else:
-            yield from _shake(base, literal.atom)
+            yield from _shake(base, literal.atom, DEEPEST)
 
 
-def _shake(base: Mendable, atom: Compound) -> Iterator[Repair]:
+def _shake(base: Mendable, atom: Compound, depth: int) -> Iterator[Repair]:
     """Changes of one fact that take a proof of the atom apart: a given fact gone, or one there that it needs absent."""
     proof = base.why(atom) if is_ground(atom) else None
+    if isinstance(proof, Doubt):
+        yield from _decide(base, proof, depth)
+        return
     for node in proof.premises_first() if proof is not None else ():
         if _is_given(node):
             yield Repair(remove=frozenset({node.fact}))
         elif node.literal.negated and not node.literal.is_comparison:
-            yield from _mend(base, Literal(node.fact), DEEPEST)
+            yield from _mend(base, Literal(node.fact), depth)
+
+
+def _decide(base: Mendable, doubt: Doubt, depth: int) -> Iterator[Repair]:
+    """Changes of one fact that take an undefined atom's reason apart: a condition of its steps gone or there."""
+    for step in doubt.steps:
+        for literal in step.body:
+            if literal.is_comparison or literal == step.literal:
+                continue
+            if literal.negated:
+                yield from _mend(base, Literal(literal.atom), depth)
+            elif is_ground(literal.atom) and isinstance(proof := base.why(literal.atom), Proof):
+                given = (node.fact for node in proof.premises_first() if _is_given(node))
+                yield from (Repair(remove=frozenset({fact})) for fact in given)
 
 
 def _is_given(node: Proof) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import Self, TypeAlias
 
-from casper.kb.errors import ProgramError
+from casper.kb.errors import ProgramError, Undefined
 from casper.kb.program.refusals import undefined_sentence
 from casper.kb.reasons.validity import History, valid_instances, with_history
 from casper.kb.relations.relation import Relation, Row
@@ -232,17 +232,30 @@ class ClauseStore:
             patterns = [Compound([n, *(Variable(f"V{i}") for i in range(a))]) for n, a in self._statement_predicates()]
         else:
             patterns = [predication(wanted)] if isinstance(wanted, (str, tuple)) else []  # a number is no statement
+        doubt: Undefined | None = None
         for pattern in patterns:
             if pattern.indicator in self._model.program.clauses:
                 found = valid_instances(pattern, self.solver(), self._model.constraints)
-                yield from (Compound(("valid", as_term(instance))) for instance in found)
+                try:
+                    yield from (Compound(("valid", as_term(instance))) for instance in found)
+                except Undefined as mistake:
+                    doubt = doubt or mistake
+        if doubt is not None:
+            raise doubt
 
     def _broken(self, atom: Compound) -> Iterator[Compound]:
         """The computed relation never/1: the constraints that the facts alone break."""
+        doubts: dict[str, str] = {}
         for violation in self._model.constraints.always:
             answer = Compound(("never", violation.sentence))
             if unify(atom, answer, {}) is not None:
-                yield answer
+                if not violation.doubt:
+                    doubts.pop(violation.sentence, None)
+                    yield answer
+                else:
+                    doubts.setdefault(violation.sentence, str(violation))
+        if doubts:
+            raise Undefined(next(iter(doubts.values())))
 
     def _statement_predicates(self) -> list[Indicator]:
         """The declared action statements; without a declaration, every stored predicate that has a rule."""

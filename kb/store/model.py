@@ -67,7 +67,7 @@ class Model:
         A large base that has more than one stratum, or that changed, keeps its rounds as they are: its proofs are
         well-founded, but a shorter one may exist.
         """
-        exact = len(self.program.strata) <= 1 and not self.changed
+        exact = len(self.program.strata) <= 1 and not self.changed and not self.program.circular
         if exact or sum(map(len, self.relations.values())) > MOST_EXACT:
             return self.relations
         return least_heights(replace(self.program, given=self.given), self.relations)  # type: ignore[arg-type]

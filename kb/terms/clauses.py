@@ -9,7 +9,7 @@ from typing import TypeAlias
 from casper.kb.errors import Place
 from casper.kb.terms.syntax import COMPARISONS
 from casper.kb.terms.terms import Compound, Term, Variable
-from casper.kb.terms.unification import variables_of
+from casper.kb.terms.unification import Bindings, substitute, variables_of
 
 NOWHERE = Place()
 
@@ -18,20 +18,53 @@ DID: Indicator = ("did", 2)
 SITUATION: tuple[Indicator, ...] = (("claim", 1), DID)
 COMPUTED: tuple[Indicator, ...] = (("valid", 1), ("never", 1))
 SYSTEM: tuple[Indicator, ...] = (*SITUATION, *COMPUTED)
+AGGREGATE = "aggregate_all"  # as a condition of a program: aggregate_all(What, auxiliary(...), Result)
+AUXILIARY = "goal: "  # in front of the names of predicates that stand for a goal inside a clause; no text has such
+
+
+def is_auxiliary(indicator: Indicator) -> bool:
+    """Whether a predicate stands for a goal inside a clause."""
+    return indicator[0].startswith(AUXILIARY)
 
 
 @dataclass(frozen=True, slots=True)
 class Literal:
-    """One condition of a body: an atom, perhaps negated, or a comparison (an atom whose functor is an operator)."""
+    """One condition of a body: an atom, perhaps negated, a comparison (an atom whose functor is an operator), or an
+    aggregate over the answers of an atom.
+    """
 
     atom: Compound
     negated: bool = False
     place: Place = field(default=NOWHERE, compare=False)
+    shown: Term | None = field(default=None, compare=False)  # how it was written, where that is not the atom
 
     @property
     def is_comparison(self) -> bool:
         """Whether the condition is tested on values rather than looked up."""
         return len(self.atom) == 3 and self.atom[0] in COMPARISONS
+
+    @property
+    def is_aggregate(self) -> bool:
+        """Whether the condition is worked out of all answers of another one: its second argument."""
+        return len(self.atom) == 4 and self.atom[0] == AGGREGATE
+
+    @property
+    def is_strict(self) -> bool:
+        """Whether all answers of what it needs must be known before it can be decided."""
+        return (self.negated and not self.is_comparison) or self.is_aggregate
+
+    @property
+    def needed(self) -> Indicator | None:
+        """The predicate that is looked up; None for a comparison."""
+        if self.is_comparison:
+            return None
+        inner: Compound = self.atom[2] if self.is_aggregate else self.atom
+        return inner.indicator
+
+    def instance(self, bindings: Bindings) -> Literal:
+        """The condition with every bound variable replaced."""
+        shown = None if self.shown is None else substitute(self.shown, bindings)
+        return Literal(substitute(self.atom, bindings), self.negated, self.place, shown)
 
     def variables(self) -> list[Variable]:
         """The variables of the condition, in order."""

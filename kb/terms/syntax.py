@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-COMPARISONS = frozenset({"=", "\\=", "==", "\\==", "<", ">", "=<", ">=", "is"})
+COMPARISONS = frozenset({"=", "\\=", "==", "\\==", "<", ">", "=<", ">=", "=:=", "=\\=", "is"})
 _NIL = "[]"  # as `terms.NIL`
 _PLAIN = re.compile(r"[a-z][A-Za-z0-9_]*\Z")
 _ESCAPED = {"\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r", "\0": "\\0"}

@@ -207,8 +207,8 @@ def test_a_clash_through_an_anonymous_variable_is_told_with_its_value():
 def test_each_negation_through_recursion_is_told_with_its_circle():
     text = "q(a).\np(X) :- q(X), \\+ r(X).\nr(X) :- q(X), \\+ p(X).\ns(X) :- q(X), \\+ s(X).\n"
     assert found(text) == [
-        (2, "error", "negation runs in a circle: p/1 needs not r/1 needs p/1; break it"),
-        (4, "error", "negation runs in a circle: s/1 needs not s/1; break it"),
+        (2, "note", "negation runs in a circle: p/1 needs not r/1 needs p/1; what the facts do not settle is undefined"),
+        (4, "note", "negation runs in a circle: s/1 needs not s/1; what the facts do not settle is undefined"),
     ]
 
 
@@ -242,3 +242,13 @@ def test_there_are_errors_exactly_when_a_text_cannot_be_loaded(text, data):
         assert errors, mistake
     else:
         assert errors == []
+
+
+def test_an_expression_that_nothing_computes_is_told_with_what_may_have_been_meant():
+    found = [f.message for f in check_text("n(1). p(X) :- n(Y), X is sqr(Y). q(X) :- n(X), X < a.")]
+    assert found[:2] == ["nothing computes sqr/1; did you mean sqrt?", "nothing computes a/0"]
+
+
+def test_facts_that_may_break_a_constraint_are_told():
+    found = [str(f) for f in check_text('n(a). never("too large") :- n(X), X > 3.', "home.pl")]
+    assert found == ['home.pl:1: warning: whether the facts break "too large" is undefined: X = a is undefined: a is not a number']
