@@ -4,8 +4,9 @@ For each stratum, lowest first: everything that some derivation rests on a row t
 that came) is over-deleted; what another rule still gives is put back; then what the new rows give is added. A row that
 is put back or added gets a new, later round, so proofs stay well-founded.
 
-When more rows are over-deleted than recomputing would cost, `TooMuch` asks for that instead. A stratum in which negation
-runs in a circle, or that has to do with undefined rows, is always worked out anew when something it needs has changed.
+When more rows are over-deleted than recomputing would cost, `TooMuch` asks for that instead. A stratum in which
+negation runs in a circle, or that has to do with undefined rows, is always worked out anew when something it needs has
+changed.
 """
 
 from __future__ import annotations

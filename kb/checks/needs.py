@@ -27,7 +27,7 @@ def needs_graph(clauses: Iterable[Clause]) -> nx.DiGraph:
 
 
 def negative_circles(clauses: Collection[Clause]) -> Iterator[Finding]:
-    """Every circle that negation runs in, once for each group of predicates: some of their statements may be undefined."""
+    """Every circle that negation runs in, once for each group of predicates: there something may be undefined."""
     table: dict[Indicator, list[Clause]] = {}
     for clause in clauses:
         table.setdefault(clause.head.indicator, []).append(clause)

@@ -128,7 +128,8 @@ def _then_doubts(relation: Relation, args: Row, state: State) -> Iterator[State]
     yield from stored_goal(relation, args, state)
     assert relation.undefined is not None
     for row in relation.undefined:
-        if args not in relation and unify(args, tuple(_to_kanren(opened(x, count()), {}) for x in row), state) is not False:
+        fresh = tuple(_to_kanren(opened(value, count()), {}) for value in row)
+        if args not in relation and unify(args, fresh, state) is not False:
             sentence = f"{term_text(as_term(Compound((relation.name, *row))))} is undefined"
             raise Undefined(sentence)
 

@@ -132,7 +132,8 @@ def _within(table: Table, group_of: Mapping[Indicator, int]) -> Iterator[tuple[I
     """Every negation and aggregate of something that needs the head in turn, with the head's predicate."""
     for indicator, clauses in table.items():
         for literal in (x for clause in clauses for x in clause.body):
-            if literal.is_strict and literal.needed in group_of and group_of[literal.needed] == group_of[indicator]:
+            needed = literal.needed
+            if literal.is_strict and needed is not None and group_of.get(needed) == group_of[indicator]:
                 yield indicator, literal
 
 

@@ -91,7 +91,7 @@ class Doubt:
         return reversed(self.steps)
 
     def to_json(self) -> dict[str, Any]:
-        """``{"fact", "by": "undefined", "reason", "steps": [{"fact", "place", "body", "needs", "failure"}], "back"}``."""
+        """``{"fact", "by": "undefined", "reason", "back", "steps": [{"fact", "place", "body", "needs", "failure"}]}``."""
         steps = [
             {
                 "fact": term_text(as_term(step.fact)),

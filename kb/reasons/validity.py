@@ -30,8 +30,8 @@ _FILL_LIMIT = 1000  # instances looked at before a part is given up as open
 class Verdict:
     """The outcome of a verification.
 
-    ``valid`` is None when it is undefined or the search ran out of its budget (``remark`` says which). ``completed`` is the statement with every part filled in
-    for which only one value is valid; ``refusal`` says why not.
+    ``valid`` is None when it is undefined or the search ran out of its budget (``remark`` says which). ``completed`` is
+    the statement with every part filled in for which only one value is valid; ``refusal`` says why not.
     """
 
     statement: Compound

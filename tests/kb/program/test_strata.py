@@ -1,5 +1,7 @@
 """What needs what, worked out in one pass, against the plain definitions: repeat until nothing changes."""
 
+from itertools import pairwise
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -80,7 +82,7 @@ def test_every_circle_of_negation_is_found_and_named_once(table):
         way = [name.removeprefix("not ") for name in named.split(" needs ")]
         assert way[0] == way[-1] and way[1] == f"{literal.needed[0]}/0" and named.count("not ") == 1
         assert {(name.removesuffix("/0"), 0) for name in way} <= group
-        for name, other in zip(way, way[1:]):
+        for name, other in pairwise(way):
             assert (other.removesuffix("/0"), 0) in set(needs(table[(name.removesuffix("/0"), 0)]))
 
 
