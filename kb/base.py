@@ -13,9 +13,11 @@ from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
 from itertools import islice
+from typing import TypeAlias
 
 from casper.kb.errors import BudgetExceeded, Undefined
 from casper.kb.goals.goals import Predicate
+from casper.kb.program.control import plain_query
 from casper.kb.program.refusals import check_computable, check_defined, undefined_sentence
 from casper.kb.reasons.doubt import Doubt, doubt_of
 from casper.kb.reasons.proof import Proof
@@ -26,7 +28,7 @@ from casper.kb.reasons.why_not import Refusal, Violation, attempts
 from casper.kb.relations.relation import Row
 from casper.kb.store.clause_store import MOST_INDEXED, NO_HISTORY, ClauseStore, Statement
 from casper.kb.store.model import Model
-from casper.kb.terms.clauses import SYSTEM, Indicator, Literal
+from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import is_ground, substitute
@@ -34,6 +36,7 @@ from casper.kb.terms.unknown import DOUBT
 from casper.kb.text.reader import read_query
 from casper.kb.top_down.solve import DEFAULT_BUDGET
 
+Asked: TypeAlias = tuple[tuple[Variable, ...], tuple[Literal, ...]]  # what is asked for, and the conditions
 _query_of_text = lru_cache(maxsize=1024)(read_query)
 
 
@@ -125,16 +128,31 @@ class KnowledgeBase(ClauseStore):
             ReadError, ProgramError, BudgetExceeded.
             Undefined: after the last true answer, when there are undefined ones.
         """
-        alternatives = _query_of_text(goal)
-        for literal in (x for body in alternatives for x in body):
-            check_defined(literal, self._model.program.clauses)
-            check_computable(literal)
-        answers = self._answers(alternatives, limit, timeout, budget, cancelled, undefined)
+        alternatives, inner = self._plain_query(goal)
+        answers = self._answers(alternatives, inner, limit, timeout, budget, cancelled, undefined)
         return ({name: value for name, value in zip(names, row)} for names, row in answers)
+
+    def _plain_query(self, goal: str) -> tuple[list[Asked], dict[Indicator, tuple[Clause, ...]]]:
+        """The alternatives of a query, each with what it asks for, and the clauses of goals inside it."""
+        known: dict[Indicator, tuple[Clause, ...]] = {}
+        alternatives: list[Asked] = []
+        for number, written in enumerate(_query_of_text(goal)):
+            named = dict.fromkeys(v for x in written for v in x.variables() if not v.name.startswith("_"))
+            bodies, clauses = plain_query(written, f"asked {number} ")
+            alternatives.extend((tuple(named), body) for body in bodies)
+            for clause in clauses:
+                known[clause.head.indicator] = (*known.get(clause.head.indicator, ()), clause)
+        everything = {**self._model.program.clauses, **known} if known else self._model.program.clauses
+        for body in (*(body for _, body in alternatives), *(c.body for found in known.values() for c in found)):
+            for literal in body:
+                check_defined(literal, everything)
+                check_computable(literal)
+        return alternatives, known
 
     def _answers(
         self,
-        alternatives: tuple[tuple[Literal, ...], ...],
+        alternatives: list[Asked],
+        inner: dict[Indicator, tuple[Clause, ...]],
         limit: int | None,
         timeout: float | None,
         budget: int,
@@ -146,8 +164,9 @@ class KnowledgeBase(ClauseStore):
         solver = self.solver(budget)
         solver.deadline = None if timeout is None else time.monotonic() + timeout
         solver.cancelled = cancelled
-        for body in alternatives:
-            variables = dict.fromkeys(v for x in body for v in x.variables() if not v.name.startswith("_"))
+        if inner:
+            solver.clauses = {**solver.clauses, **inner}
+        for variables, body in alternatives:
             names = [variable.name for variable in variables]
             for solution in solver.possible(body):
                 row = tuple(substitute(variable, solution) for variable in variables)

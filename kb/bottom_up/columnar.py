@@ -28,7 +28,7 @@ def is_columnar(rules: Iterable[Clause]) -> bool:
         and all(not x.is_comparison or x.atom[0] in ("=", "\\=", "==", "\\==") for x in rule.body)
         and rule.head.arity > 0
         and all(x.is_comparison or x.atom.arity > 0 for x in rule.body)
-        and not any(_repeats_wildcard(x) for x in rule.body)
+        and not any(x.is_aggregate or _repeats_wildcard(x) for x in rule.body)
         for rule in rules
     )
 

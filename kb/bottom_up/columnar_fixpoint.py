@@ -19,7 +19,7 @@ def columnar_fixpoint(program: Program, most_rows: int) -> dict[Indicator, Relat
     """
     stored = [indicator for stratum in program.strata for indicator in stratum]
     rules = [rule for indicator in stored for rule in program.rules[indicator]]
-    if program.circular or not is_columnar(rules):
+    if program.circular or program.least or not is_columnar(rules):
         return None
     wide = [i for i in stored if i[1] > 0]
     interner = Interner()

@@ -5,8 +5,8 @@ that came) is over-deleted; what another rule still gives is put back; then what
 is put back or added gets a new, later round, so proofs stay well-founded.
 
 When more rows are over-deleted than recomputing would cost, `TooMuch` asks for that instead. A stratum in which
-negation runs in a circle, or that has to do with undefined rows, is always worked out anew when something it needs has
-changed.
+negation runs in a circle, that counts, or that has to do with undefined rows, is always worked out anew when something
+it needs has changed.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ class Maintenance:
         stored = {indicator for stratum in self.program.strata for indicator in stratum}
         for rule in (rule for indicator in stored for rule in self.program.rules[indicator]):
             for at, literal in enumerate(rule.body):
-                if not literal.is_comparison:
+                if not literal.is_comparison and not literal.is_aggregate:
                     self._plans[literal.atom.indicator, literal.negated].append(_Plan(rule, at))
 
     def update(
@@ -127,7 +127,9 @@ class Maintenance:
     ) -> bool:
         """Whether undefined rows play a part in a stratum, or may come to."""
         needed = self._needs(stratum)
-        if not (stratum.isdisjoint(self.program.circular) and needed.isdisjoint(blurred)):
+        if any(x.is_aggregate for i in stratum for rule in self.program.rules[i] for x in rule.body):
+            return True
+        if not (stratum.isdisjoint({*self.program.circular, *self.program.least}) and needed.isdisjoint(blurred)):
             return True
         return any(relations[i].undefined is not None for i in (*stratum, *needed) if i in relations)
 

@@ -11,11 +11,12 @@ from typing import Any, TypeAlias
 
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.relations.undefined import Possible
+from casper.kb.terms.aggregates import aggregate
 from casper.kb.terms.arithmetic import EvaluationFailed
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.comparison import compare, is_ready
 from casper.kb.terms.terms import Compound, Term, Variable
-from casper.kb.terms.unification import Bindings, is_ground, substitute, variables_of
+from casper.kb.terms.unification import Bindings, is_ground, substitute, unify, variables_of
 from casper.kb.terms.unknown import UNKNOWN, may_equal
 
 Environment: TypeAlias = list[Term]
@@ -47,7 +48,7 @@ class Join:
         body = [
             (x, at, at == delta_at)
             for x, at in ordered_body(clause.body, delta_at, known)
-            if negations or not x.negated or x.is_comparison or at == delta_at
+            if negations or not x.is_strict or at == delta_at
         ]
         tested = [_apart(x) for x, _, is_delta in body if is_delta and x.negated and negations]
         for variable in (v for x in tested for v in x.variables()):
@@ -58,7 +59,7 @@ class Join:
     def _compiled(self, body: list[tuple[Literal, int, bool]], known: set[Variable]) -> Step:
         bound = [set(known)]
         for literal, _, is_delta in body:
-            bound.append(bound[-1] | (set(variables_of(literal.atom)) if is_delta else _binds(literal)))
+            bound.append(bound[-1] | (set(variables_of(literal.atom)) if is_delta else literal.binds()))
         step = self._emit_step()
         for (literal, _, is_delta), before in zip(reversed(body), reversed(bound[:-1])):
             step = self._condition(literal, before, is_delta, step)
@@ -117,6 +118,8 @@ class Join:
     def _condition(self, literal: Literal, known: Set[Variable], is_delta: bool, then: Step) -> Step:
         if literal.is_comparison:
             return _comparison_step(literal, known, self._slots, self._context, then)
+        if literal.is_aggregate:
+            return self._aggregate_step(literal, known, then)
         indicator, args, context = literal.atom.indicator, literal.atom.args, self._context
         columns = tuple(c for c, arg in enumerate(args) if set(variables_of(arg)) <= known)
         key = row_builder([args[c] for c in columns], self._slots)
@@ -138,6 +141,44 @@ class Join:
                 then(environment)
 
         return scan if is_delta else absent if literal.negated else lookup
+
+
+    def _aggregate_step(self, literal: Literal, known: Set[Variable], then: Step) -> Step:
+        """Work the aggregate out of the rows that the known columns leave; undefined ones leave it undefined."""
+        what, atom, result = literal.atom.args
+        context, slots = self._context, self._slots
+        columns = tuple(c for c, arg in enumerate(atom.args) if set(variables_of(arg)) <= known)
+        key = row_builder([atom.args[c] for c in columns], slots)
+        rest = [(c, arg) for c, arg in enumerate(atom.args) if c not in columns]
+        bind = Binder(rest, known, slots)
+        own = [(v, slots[v]) for v in variables_of(*(arg for _, arg in rest))]
+        given = [(v, slots[v]) for v in literal.variables() if v in known]
+        after = [(v, slots[v]) for v in variables_of(result) if v not in known]
+        everything = [(v, slots[v]) for v in known if v in slots]
+
+        def work_out(environment: Environment) -> None:
+            relation, wanted = context[0][atom.indicator], key(environment)
+            if relation.undefined is not None and relation.undefined.matching(columns, wanted):
+                return
+            bindings = {v: environment[slot] for v, slot in given}
+            answers = [
+                {**bindings, **{v: environment[slot] for v, slot in own}}
+                for row in relation.matching(columns, wanted)
+                if bind(row, environment)
+            ]
+            try:
+                value = aggregate(what, answers)
+            except EvaluationFailed:
+                if context[4] is not None:
+                    context[4]({v: environment[slot] for v, slot in everything})
+                return
+            extended = None if value is None else unify(result, value, bindings)
+            if extended is not None:
+                for variable, slot in after:
+                    environment[slot] = substitute(variable, extended)
+                then(environment)
+
+        return work_out
 
 
 def _apart(literal: Literal) -> Literal:
@@ -165,7 +206,7 @@ def ordered_body(
         at, literal = min(waiting, key=lambda item: _cost(item, bound, delta_at))
         waiting.remove((at, literal))
         ordered.append((literal, at))
-        bound |= set(variables_of(literal.atom)) if at == delta_at else _binds(literal)
+        bound |= set(variables_of(literal.atom)) if at == delta_at else literal.binds()
     return ordered
 
 
@@ -177,8 +218,8 @@ def _cost(item: tuple[int, Literal], known: set[Variable], delta_at: int | None)
     if literal.is_comparison:
         bindings = {v: 0 for v in known}
         return (-1 if is_ready(literal, bindings) and _decides(literal, known) else 3, 0, at)
-    if literal.negated:
-        return (-1 if all(v in known or v.is_anonymous for v in variables) else 3, 0, at)
+    if literal.is_strict:
+        return (-1 if known.issuperset(literal.strict_variables()) else 3, 0, at)
     return (1, -sum(1 for arg in literal.atom.args if set(variables_of(arg)) <= known), at)
 
 
@@ -186,12 +227,6 @@ def _decides(literal: Literal, known: set[Variable]) -> bool:
     """Whether an ``=`` has at least one side known: before that it would only tie two unknowns together."""
     left, right = set(variables_of(literal.atom[1])), set(variables_of(literal.atom[2]))
     return left <= known or right <= known
-
-
-def _binds(literal: Literal) -> set[Variable]:
-    if literal.negated or (literal.is_comparison and literal.atom[0] not in ("=", "is")):
-        return set()
-    return set(variables_of(literal.atom))
 
 
 def _comparison_step(literal: Literal, known: Set[Variable], slots: Slots, context: list[Any], then: Step) -> Step:

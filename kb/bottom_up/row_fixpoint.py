@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from casper.kb.bottom_up.circles.alternating import well_founded
 from casper.kb.bottom_up.circles.doubts import add_undefined
+from casper.kb.bottom_up.minimum import least_rows
 from casper.kb.bottom_up.size import MOST_ROWS, Room
 from casper.kb.bottom_up.stratum import Stratum
 from casper.kb.program.program import Program
@@ -34,6 +35,8 @@ def evaluate_stratum(
     """
     if not stratum.isdisjoint(program.circular):
         return well_founded(program, stratum, relations, room, round_)
+    if not stratum.isdisjoint(program.least):
+        return least_rows(program, stratum, relations, room, round_)
     rules = [rule for indicator in stratum for rule in program.rules[indicator]]
     needed = {x.needed for rule in rules for x in rule.body if x.needed is not None}
     settled = are_settled(relations, needed)

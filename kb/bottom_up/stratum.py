@@ -72,7 +72,7 @@ class Stratum:
 
     def _may_fire(self, rule: Clause) -> bool:
         """Whether there is something to look up for every condition: otherwise the rule need not be compiled yet."""
-        return all(self.relations[x.atom.indicator] for x in rule.body if not x.negated and not x.is_comparison)
+        return all(self.relations[x.atom.indicator] for x in rule.body if not x.is_strict and not x.is_comparison)
 
     def _recursive(self) -> dict[Indicator, list[_Recursive]]:
         found: dict[Indicator, list[_Recursive]] = {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator, Mapping
+from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping
 from typing import TypeAlias, TypeVar
 
 from casper.kb.errors import ProgramError
@@ -89,17 +89,38 @@ def _closed(node: Node, lowest: dict[Node, int], pending: list[Node]) -> list[No
     return group
 
 
-def levels_of(table: Table) -> dict[Indicator, int]:
+def components_of(table: Table) -> list[list[Indicator]]:
+    """The groups of predicates that need one another, each after what it needs."""
+    return components({indicator: list(needs(clauses)) for indicator, clauses in table.items()})
+
+
+def check_least(table: Table, least: Collection[Indicator]) -> None:
+    """Refuse a recursive minimum or maximum whose circle goes through a negation or a predicate that keeps all rows.
+
+    Raises:
+        ProgramError: naming the circle.
+    """
+    for group in components_of(table) if least else ():
+        moded = [i for i in group if i in least]
+        others = [i for i in group if i not in least]
+        strict = any(x.is_strict and x.needed in group for i in group for c in table[i] for x in c.body)
+        if moded and (others or strict):
+            (name, arity), circle = moded[0], " and ".join(f"{n}/{a}" for n, a in sorted(group) if not is_auxiliary((n, a)))
+            raise ProgramError(f"{name}/{arity} keeps one row for each key, so its circle may hold nothing else: {circle}")
+
+
+def levels_of(table: Table, least: Collection[Indicator] = ()) -> dict[Indicator, int]:
     """The stratum of every predicate: at least that of what it needs, above that of what it negates or counts.
 
-    Where negation runs in a circle, the circle is above all that it needs, and below all that needs it.
+    Where negation runs in a circle, the circle is above all that it needs, and below all that needs it; so is a
+    predicate that keeps one row for each key (``least``).
 
     Raises:
         ProgramError: an aggregate is part of what it is worked out of; the circle is named.
     """
     groups = components({indicator: list(needs(clauses)) for indicator, clauses in table.items()})
     group_of = {indicator: at for at, group in enumerate(groups) for indicator in group}
-    negative = {group_of[i] for i, x in _within(table, group_of) if x.negated}
+    negative = {group_of[i] for i, x in _within(table, group_of) if x.negated} | {group_of[i] for i in least}
     levels: dict[Indicator, int] = {}
     for at, group in enumerate(groups):  # what a group needs comes before it
         level = 0

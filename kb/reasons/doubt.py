@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from casper.kb.terms.arithmetic import EvaluationFailed
-from casper.kb.terms.clauses import Clause, Literal
+from casper.kb.terms.clauses import Clause, Literal, is_auxiliary
 from casper.kb.terms.comparison import compare
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.kb.terms.unification import is_ground, unify
+from casper.kb.terms.unification import is_ground, substitute, unify
 from casper.kb.terms.unknown import DOUBT
 from casper.kb.text.writer import literal_text
 from casper.kb.top_down.solve import Solver
@@ -28,7 +28,8 @@ MOST_WAYS = 200  # instances of its rules looked at for one atom
 class Step:
     """One undefined atom: the rule that would give it, the body's instance, and its condition that is undefined.
 
-    ``failure`` says why that condition has no value, where it is a comparison.
+    ``failure`` says why that condition has no value, where it is a comparison or an aggregate; otherwise ``needs`` is the
+    undefined atom that it is about.
     """
 
     fact: Compound
@@ -36,6 +37,7 @@ class Step:
     body: tuple[Literal, ...]
     literal: Literal
     failure: str = ""
+    needs: Compound | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +56,7 @@ class Doubt:
     @property
     def sentence(self) -> str:
         """The reason in one sentence."""
-        text = f"{term_text(as_term(self.fact))} is undefined"
+        text = f"{_shown(self.fact, self.steps)} is undefined"
         if not self.steps:
             return f"{text}: {self.remark}" if self.remark else text
         last = self.steps[-1]
@@ -63,7 +65,7 @@ class Doubt:
         if last.failure:
             shown = ", ".join(map(literal_text, last.body))
             place = f" at {_place(last.clause)}" if _place(last.clause) else ""
-            return f"{text}, and {last.failure} (in {term_text(as_term(last.fact))} :- {shown}{place})"
+            return f"{text}, and {last.failure} (in {_shown(last.fact, [last])} :- {shown}{place})"
         return f"{text}; that is a circle"
 
     def __str__(self) -> str:
@@ -73,7 +75,7 @@ class Doubt:
         if not self.steps:
             yield self.sentence
             return
-        yield f"{term_text(as_term(self.fact))}   [undefined]{_mark(self.steps[0].clause)}"
+        yield f"{_shown(self.fact, self.steps)}   [undefined]{_mark(self.steps[0].clause)}"
         for depth, step in enumerate(self.steps):
             following = self.steps[depth + 1 : depth + 2]
             mark = "".join(_mark(each.clause) for each in following)
@@ -83,7 +85,7 @@ class Doubt:
         if step.failure:
             return step.failure
         if depth == len(self.steps) - 1 and self.back is not None:
-            return f"undefined: back to {term_text(as_term(self.steps[self.back].fact))}"
+            return f"undefined: back to {_shown(self.steps[self.back].fact, self.steps[self.back :])}"
         return "undefined"
 
     def premises_first(self) -> Iterator[Step]:
@@ -91,10 +93,10 @@ class Doubt:
         return reversed(self.steps)
 
     def to_json(self) -> dict[str, Any]:
-        """``{"fact", "by": "undefined", "reason", "back", "steps": [{"fact", "place", "body", "needs", "failure"}]}``."""
+        """``{"fact", "by": "undefined", "reason", "back", "steps": [{"fact", "place", …}]}``."""
         steps = [
             {
-                "fact": term_text(as_term(step.fact)),
+                "fact": _shown(step.fact, [step]),
                 "place": _place(step.clause) or None,
                 "body": [literal_text(x) for x in step.body],
                 "needs": literal_text(step.literal),
@@ -149,7 +151,8 @@ class _Search:
                 self.steps[atom].append(step)
                 if step.failure:
                     return Doubt(start, (*self._path(atom), step))
-                following = step.literal.atom
+                following = step.needs
+                assert following is not None
                 if following not in self.reached:
                     self.reached[following] = (atom, step)
                     waiting.append(following)
@@ -170,7 +173,7 @@ class _Search:
         """The way to the atom and the step, where that leads back to a place on the way through a negation."""
         path = (*self._path(atom), step)
         facts = [each.fact for each in path]
-        back = facts.index(step.literal.atom) if step.literal.atom in facts else None
+        back = facts.index(step.needs) if step.needs in facts else None
         if back is None or not any(each.literal.negated for each in path[back:]):
             return None
         return path, back
@@ -178,16 +181,16 @@ class _Search:
     def _any_circle(self, start: Compound) -> Doubt | None:
         """A circle through any negation that was met."""
         for step in (s for steps in self.steps.values() for s in steps if s.literal.negated):
-            home = self._way(step.literal.atom, step.fact)
+            home = self._way(step.needs, step.fact)
             if home is not None:
                 path = self._path(step.fact)
                 return Doubt(start, (*path, step, *home), len(path))
         return None
 
-    def _way(self, start: Compound, goal: Compound) -> list[Step] | None:
+    def _way(self, start: Compound | None, goal: Compound) -> list[Step] | None:
         """Steps from one atom to another among those that were looked at."""
-        came: dict[Compound, Step | None] = {start: None}
-        waiting = [start]
+        came: dict[Compound, Step | None] = {} if start is None else {start: None}
+        waiting = list(came)
         for atom in waiting:  # it grows
             if atom == goal:
                 found: list[Step] = []
@@ -196,9 +199,9 @@ class _Search:
                     atom = step.fact
                 return found[::-1]
             for step in self.steps.get(atom, ()):
-                if step.literal.atom not in came:
-                    came[step.literal.atom] = step
-                    waiting.append(step.literal.atom)
+                if step.needs is not None and step.needs not in came:
+                    came[step.needs] = step
+                    waiting.append(step.needs)
         return None
 
     def _ways(self, atom: Compound) -> Iterator[Step]:
@@ -215,14 +218,26 @@ class _Search:
                     instance = tuple(x.instance(solution) for x in body)
                     yield from self._undefined_in(atom, clause, instance)
 
-    def _undefined_in(self, atom: Compound, clause: Clause, body: Sequence[Literal]) -> Iterator[Step]:
+    def _undefined_in(self, atom: Compound, clause: Clause, body: tuple[Literal, ...]) -> Iterator[Step]:
         for literal in body:
             if literal.is_comparison:
                 failure = _failure(literal)
                 if failure:
-                    yield Step(atom, clause, tuple(body), literal, failure)
-            elif is_ground(literal.atom) and undefined_by(literal, self.solver) is not None:
-                yield Step(atom, clause, tuple(body), literal)
+                    yield Step(atom, clause, body, literal, failure)
+            elif (remark := undefined_by(literal, self.solver)) is not None:
+                needs = self._undefined_atom(literal.atom[2] if literal.is_aggregate else literal.atom)
+                if needs is not None:
+                    yield Step(atom, clause, body, literal, "", needs)
+                elif literal.is_aggregate:
+                    yield Step(atom, clause, body, literal, remark)
+
+    def _undefined_atom(self, atom: Compound) -> Compound | None:
+        """An undefined atom that the given one can be."""
+        for found in self.solver.possible([Literal(atom)]):
+            instance: Compound = substitute(atom, found)
+            if DOUBT in found and is_ground(instance) and undefined_by(Literal(instance), self.solver) is not None:
+                return instance
+        return None
 
 
 def _failure(literal: Literal) -> str:
@@ -232,6 +247,13 @@ def _failure(literal: Literal) -> str:
     except EvaluationFailed as failure:
         return failure.sentence
     return ""
+
+
+def _shown(atom: Compound, steps: Sequence[Step]) -> str:
+    """An atom in words; one that stands for a goal inside a clause as that goal."""
+    if is_auxiliary(atom.indicator) and steps:
+        return ", ".join(map(literal_text, steps[0].body))
+    return term_text(as_term(atom))
 
 
 def _mark(clause: Clause) -> str:

@@ -20,7 +20,7 @@ from casper.kb.reasons.why_not import Refusal, Violation, attempts
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.kb.terms.unification import is_ground
+from casper.kb.terms.unification import is_ground, substitute, unify
 from casper.kb.top_down.solve import Solver
 
 MOST_TRIED = 150  # sets of changes tried out before the search gives up
@@ -129,16 +129,34 @@ def _mend(base: Mendable, literal: Literal, depth: int) -> Iterator[Repair]:
     if not rules:
         yield Repair(add=frozenset({atom}))
     for attempt in attempts(atom, rules, base.solver()):
-        if attempt.failed:
+        if attempt.failed and (attempt.failed[0].is_comparison or attempt.failed[0].is_aggregate):
+            yield from _recount(base, atom, attempt.clause, depth - 1)
+        elif attempt.failed:
             yield from _mend(base, attempt.failed[0], depth - 1)
+
+
+def _recount(base: Mendable, atom: Compound, clause: Clause, depth: int) -> Iterator[Repair]:
+    """Changes of one fact that take an answer away from what a clause counts."""
+    bindings = unify(clause.head, atom, {})
+    for literal in clause.body if bindings is not None else ():
+        if literal.is_aggregate:
+            counted = substitute(literal.atom[2], bindings or {})
+            for answer in base.solver().solve([Literal(counted)]):
+                instance = substitute(counted, answer)
+                if is_ground(instance):
+                    yield from _shake(base, instance, depth)
 
 
 def _unclash(base: Mendable, violation: Violation) -> Iterator[Repair]:
     """Changes of one fact towards ending a clash: against any of its conditions."""
     for literal in violation.clash:
-        if literal.is_comparison or literal.atom.indicator in SYSTEM:
+        if literal.is_aggregate:
+            counted = literal.atom[2]
+            for answer in base.solver().solve([Literal(counted)]):
+                yield from _shake(base, substitute(counted, answer), DEEPEST)
+        elif literal.is_comparison or literal.atom.indicator in SYSTEM:
             continue
-        if literal.negated:
+        elif literal.negated:
             yield from _mend(base, Literal(literal.atom), DEEPEST)
         else:
             yield from _shake(base, literal.atom, DEEPEST)

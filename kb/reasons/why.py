@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from casper.kb.reasons.counting import counted
 from casper.kb.reasons.proof import Proof
 from casper.kb.relations.relation import Columns, Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator, Literal
@@ -96,7 +97,7 @@ def _stored_proof(goal: Compound, known: _Known) -> Proof:
         if missing:
             waiting.extend(reversed(missing))
         else:
-            premises = tuple(proofs[x.atom] if _is_derived(x) else Proof(x) for x in body)
+            premises = tuple(proofs[x.atom] if _is_derived(x) else _leaf(x, known.solver) for x in body)
             proofs[atom] = Proof(Literal(atom), clause, premises)
             waiting.pop()
     return proofs[goal]
@@ -149,8 +150,13 @@ def _is_derived(literal: Literal) -> bool:
     return not (literal.is_comparison or literal.is_strict)
 
 
+def _leaf(literal: Literal, solver: Solver) -> Proof:
+    """What holds by itself; an aggregate with what it was worked out of."""
+    return Proof(literal, remark=counted(literal, solver)) if literal.is_aggregate else Proof(literal)
+
+
 def _literal_proof(literal: Literal, known: _Known) -> Proof | None:
-    return _prove(literal.atom, known) if _is_derived(literal) else Proof(literal)
+    return _prove(literal.atom, known) if _is_derived(literal) else _leaf(literal, known.solver)
 
 
 def _computed_proof(atom: Compound, known: _Known) -> Proof | None:

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from casper.kb.errors import BudgetExceeded, ProgramError
+from casper.kb.reasons.counting import told
 from casper.kb.reasons.wording import failure_sentence
 from casper.kb.terms.arithmetic import EvaluationFailed
 from casper.kb.terms.clauses import Clause, Literal
@@ -146,7 +147,7 @@ def nearest(body: Sequence[Literal], bindings: Bindings, solver: Solver) -> tupl
             given_up, solution = found
             kept = [literal for literal in body if any(literal is x for x in given_up)]
             failed = [x for x in kept if _fails(x, solution, solver)]
-            return tuple(x.instance(solution) for x in failed or kept)
+            return tuple(told(x, body, solution, solver) for x in failed or kept)
     return tuple(body)
 
 
@@ -159,7 +160,7 @@ def first_failing(body: Sequence[Literal], bindings: Bindings, solver: Solver) -
             continue
         before = next(solver.accepted(held, bindings))
         if _fails(literal, before, solver):
-            return (literal.instance(before),)
+            return (told(literal, body, before, solver),)
     return ()
 
 

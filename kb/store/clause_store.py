@@ -7,11 +7,12 @@ from functools import lru_cache
 from typing import Self, TypeAlias
 
 from casper.kb.errors import ProgramError, Undefined
+from casper.kb.program.declarations import Moded, declaration, tabled
 from casper.kb.program.refusals import undefined_sentence
 from casper.kb.reasons.validity import History, valid_instances, with_history
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.store.model import Model
-from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence
+from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence, is_auxiliary
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import is_ground, unify
@@ -33,6 +34,7 @@ class ClauseStore:
         self._clauses: dict[Clause, None] = dict.fromkeys(clauses)  # in the author's order, each once
         self._bulk: dict[Indicator, dict[Row, None]] = {}
         self._dynamic: set[Indicator] = set(dynamic)
+        self._least: dict[Indicator, Moded] = {}
         self._statements: dict[Indicator, None] = {}
         self._cached: Model | None = None
         self._true: set[Statement] = set()  # stored statements that hold, once they are indexed
@@ -54,7 +56,7 @@ class ClauseStore:
         return base
 
     def add(self, sentences: Iterable[Sentence]) -> None:
-        """Add clauses and ``:- dynamic(name/arity).`` declarations; productions are the plan library's, not ours.
+        """Add clauses and declarations (``:- dynamic``, ``table``, ``discontiguous``); productions are the plan library's, not ours.
 
         Raises:
             ProgramError: a directive nobody knows, or a production.
@@ -64,7 +66,9 @@ class ClauseStore:
             if isinstance(sentence, Clause):
                 self._clauses.setdefault(sentence)
             elif isinstance(sentence, Directive):
-                self._dynamic.add(_dynamic(sentence))
+                declared = declaration(sentence)
+                self._dynamic.update(declared.dynamic)
+                self._least.update(declared.least)
             else:
                 raise ProgramError("a plan (-->) belongs in a plan library, not in a knowledge base", sentence.place)
 
@@ -104,6 +108,7 @@ class ClauseStore:
     def to_text(self) -> str:
         """The clauses as text that reads in as the same model."""
         declared = [Directive(Compound(("dynamic", Compound(("/", *i))))) for i in sorted(self._dynamic)]
+        declared += [tabled(indicator, moded) for indicator, moded in sorted(self._least.items())]
         return program_text([*declared, *self.clauses])
 
     # --- what if, and change ---------------------------------------------------------------------------------------
@@ -114,7 +119,8 @@ class ClauseStore:
         It is an overlay: only what follows from the assumption is worked out, and it is dropped with the object.
         """
         base = type(self)()
-        base._clauses, base._dynamic = dict(self._clauses), set(self._dynamic) | set(self._model.program.clauses)
+        base._clauses, base._dynamic = dict(self._clauses), set(self._dynamic) | self._own_predicates()
+        base._least = dict(self._least)
         base._bulk, base._statements = {i: dict(rows) for i, rows in self._bulk.items()}, dict(self._statements)
         base._cached = self._model.layer(base._computed)
         for fact in without:
@@ -222,7 +228,7 @@ class ClauseStore:
     @property
     def _model(self) -> Model:
         if self._cached is None:
-            self._cached = Model.of(self._clauses, self._dynamic, self._bulk, self._computed)
+            self._cached = Model.of(self._clauses, self._dynamic, self._bulk, self._computed, self._least)
         return self._cached
 
     def _valid(self, atom: Compound) -> Iterator[Compound]:
@@ -257,10 +263,15 @@ class ClauseStore:
         if doubts:
             raise Undefined(next(iter(doubts.values())))
 
+    def _own_predicates(self) -> set[Indicator]:
+        """The predicates that are defined, without those that only stand for goals inside clauses."""
+        return {i for i in self._model.program.clauses if not is_auxiliary(i)}
+
     def _statement_predicates(self) -> list[Indicator]:
         """The declared action statements; without a declaration, every stored predicate that has a rule."""
         model = self._model
-        derived = (i for i, found in model.program.clauses.items() if any(c.body for c in found))
+        own = self._own_predicates()
+        derived = (i for i, found in model.program.clauses.items() if i in own and any(c.body for c in found))
         return list(self._statements) or [i for i in derived if i in model.relations]
 
     def _statement(self, statement: Statement) -> Compound:
@@ -271,15 +282,3 @@ class ClauseStore:
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {len(self._clauses)} clauses>"
-
-
-
-def _dynamic(directive: Directive) -> Indicator:
-    """The predicate of a ``:- dynamic(name/arity).`` declaration."""
-    term = directive.term
-    inner = term[1] if term.indicator == ("dynamic", 1) else None
-    if isinstance(inner, Compound) and inner.indicator == ("/", 2):
-        name, arity = inner.args
-        if isinstance(name, str) and isinstance(arity, int) and arity >= 0:
-            return name, arity
-    raise ProgramError(f"the only directive is :- dynamic(name/arity), not {term_text(as_term(term))}", directive.place)

@@ -10,6 +10,7 @@ from casper.kb.bottom_up.heights import least_heights
 from casper.kb.bottom_up.incremental import Change, Maintenance, TooMuch
 from casper.kb.bottom_up.materialise import materialise
 from casper.kb.errors import ProgramError
+from casper.kb.program.declarations import Moded
 from casper.kb.program.program import Program, analyse
 from casper.kb.reasons.validity import Constraints, constraints_of
 from casper.kb.relations.layered import LayeredRelation
@@ -42,13 +43,14 @@ class Model:
         dynamic: Iterable[Indicator],
         bulk: Mapping[Indicator, Iterable[Row]],
         computed: Mapping[Indicator, Computed],
+        least: Mapping[Indicator, Moded] | None = None,
     ) -> Model:
         """Analyse and materialise.
 
         Raises:
             ProgramError, BudgetExceeded: see `kb.program.program.analyse` and `kb.bottom_up.materialise.materialise`.
         """
-        program = analyse(clauses, dynamic, bulk)
+        program = analyse(clauses, dynamic, bulk, least)
         try:
             relations = materialise(program)
         except RecursionError:
@@ -67,7 +69,7 @@ class Model:
         A large base that has more than one stratum, or that changed, keeps its rounds as they are: its proofs are
         well-founded, but a shorter one may exist.
         """
-        exact = len(self.program.strata) <= 1 and not self.changed and not self.program.circular
+        exact = len(self.program.strata) <= 1 and not self.changed and not (self.program.circular or self.program.least)
         if exact or sum(map(len, self.relations.values())) > MOST_EXACT:
             return self.relations
         return least_heights(replace(self.program, given=self.given), self.relations)  # type: ignore[arg-type]

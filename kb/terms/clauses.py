@@ -9,7 +9,7 @@ from typing import TypeAlias
 from casper.kb.errors import Place
 from casper.kb.terms.syntax import COMPARISONS
 from casper.kb.terms.terms import Compound, Term, Variable
-from casper.kb.terms.unification import Bindings, substitute, variables_of
+from casper.kb.terms.unification import Bindings, renamed, substitute, variables_of
 
 NOWHERE = Place()
 
@@ -37,6 +37,7 @@ class Literal:
     negated: bool = False
     place: Place = field(default=NOWHERE, compare=False)
     shown: Term | None = field(default=None, compare=False)  # how it was written, where that is not the atom
+    remark: str = field(default="", compare=False)  # of an instance that fails: why, where the atom does not tell
 
     @property
     def is_comparison(self) -> bool:
@@ -61,9 +62,21 @@ class Literal:
         inner: Compound = self.atom[2] if self.is_aggregate else self.atom
         return inner.indicator
 
+    def strict_variables(self) -> Iterator[Variable]:
+        """What must be known before a negation or an aggregate can be decided."""
+        return (v for v in variables_of(self.atom[2] if self.is_aggregate else self.atom) if not v.is_anonymous)
+
+    def binds(self) -> set[Variable]:
+        """The variables that are known once the condition is decided, besides those that were known before."""
+        if self.is_aggregate:
+            return set(variables_of(self.atom[3]))
+        if self.negated or (self.is_comparison and self.atom[0] not in ("=", "is")):
+            return set()
+        return set(variables_of(self.atom))
+
     def instance(self, bindings: Bindings) -> Literal:
         """The condition with every bound variable replaced."""
-        shown = None if self.shown is None else substitute(self.shown, bindings)
+        shown = None if self.shown is None else renamed([substitute(self.shown, bindings)], 0)[0]
         return Literal(substitute(self.atom, bindings), self.negated, self.place, shown)
 
     def variables(self) -> list[Variable]:

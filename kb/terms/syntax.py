@@ -13,7 +13,7 @@ COMPARISONS = frozenset({"=", "\\=", "==", "\\==", "<", ">", "=<", ">=", "=:=", 
 _NIL = "[]"  # as `terms.NIL`
 _PLAIN = re.compile(r"[a-z][A-Za-z0-9_]*\Z")
 _ESCAPED = {"\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r", "\0": "\\0"}
-_PRIORITY = {";": 1100, ",": 1000, "\\+": 900, "+": 500, "-": 500, "*": 400, "/": 400, ":": 200}
+_PRIORITY = {";": 1100, "->": 1050, ",": 1000, "\\+": 900, "+": 500, "-": 500, "*": 400, "/": 400, ":": 200}
 _PRIORITY.update(dict.fromkeys(COMPARISONS, 700))
 
 
@@ -71,6 +71,6 @@ def _operator_text(term: tuple[Any, ...]) -> str | None:
         return None
     priority = _PRIORITY[name]
     left = priority if name in "+-*/" else priority - 1
-    right = priority if name == ":" else priority - 1
+    right = priority if name in (":", "->") else priority - 1
     glue = ": " if name == ":" else f" {name} "
     return f"{term_text(term[1], left)}{glue}{term_text(term[2], right)}"

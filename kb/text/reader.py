@@ -16,6 +16,7 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedEOF
 
 from casper.kb.errors import DomainError, Place, ReadError
 from casper.kb.terms.clauses import Clause, Directive, Literal, Production, Sentence
+from casper.kb.terms.control import CONTROL
 from casper.kb.terms.terms import NIL, Compound, Term, Variable, make_list, predication
 from casper.kb.terms.unification import variables_of
 from casper.kb.text.bulk_reader import read_large
@@ -200,7 +201,7 @@ def _statement(tree: Tree[Any], file: str, names: _Anonymous, shapes: frozenset[
         tree = tree.children[0]
     term = _term(tree, names)
     if shapes is _CONDITIONS:
-        term = qualified(term)
+        term = _goal(term)
     is_pair = tree.data == "colon" and isinstance(term, Compound) and term.functor == ":"
     try:
         if shapes is None or (tree.data in shapes and not is_pair):
@@ -217,6 +218,8 @@ def _alternatives(tree: Tree[Any], file: str, names: _Anonymous) -> list[list[Li
     """A body in disjunctive normal form: alternatives, each a list of literals in the author's order."""
     if tree.data == "group":
         return _alternatives(tree.children[0], file, names)
+    if tree.data == "then_" or (tree.data == "or_" and any(child.data == "then_" for child in tree.children)):
+        return [[_literal(tree, file, names)]]
     if tree.data == "or_":
         return [body for child in tree.children for body in _alternatives(child, file, names)]
     if tree.data == "and_":
@@ -230,10 +233,16 @@ def _literal(tree: Tree[Any], file: str, names: _Anonymous, negated: bool = Fals
         return _literal(tree.children[0], file, names, negated)
     if tree.data == "not_":
         return _literal(tree.children[1], file, names, not negated)
-    if tree.data in ("and_", "or_"):
-        sentence = "only one condition can be negated at a time; give these a rule of their own and negate its head"
-        raise ReadError(sentence, _place(tree, file))
+    if tree.data in ("and_", "or_", "then_"):
+        return Literal(_goal(predication(_term(tree, names))), negated, _place(tree, file))
     return Literal(_statement(tree, file, names, _CONDITIONS), negated, _place(tree, file))
+
+
+def _goal(term: Term) -> Term:
+    """The term with the prefixes of its conditions made part of their names."""
+    if isinstance(term, Compound) and (term.indicator in CONTROL or term[0] in (",", ";")):
+        return Compound((term[0], *map(_goal, term.args)))
+    return qualified(term)
 
 
 def _term(tree: Tree[Any], names: _Anonymous) -> Term:
@@ -262,8 +271,8 @@ def _term(tree: Tree[Any], names: _Anonymous) -> Term:
             return Compound((":", _term(children[0], names), _term(children[1], names)))
         case "not_":
             return Compound(("\\+", _term(children[1], names)))
-        case "and_" | "or_":
-            functor = "," if tree.data == "and_" else ";"
+        case "and_" | "or_" | "then_":
+            functor = {"and_": ",", "or_": ";", "then_": "->"}[tree.data]
             return Compound([functor, *(_term(child, names) for child in children)])
     raise AssertionError(f"the grammar has no {tree.data}")
 

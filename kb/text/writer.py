@@ -6,12 +6,13 @@ from collections.abc import Iterable
 
 from casper.kb.terms.clauses import Clause, Directive, Literal, Production, Sentence
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import as_term
+from casper.kb.terms.terms import Compound, as_term
 
 
 def literal_text(literal: Literal) -> str:
     """One condition as it stands in a body."""
-    text = term_text(as_term(literal.atom), 700 if literal.is_comparison else 999)
+    atom = literal.atom if literal.shown is None else literal.shown
+    text = term_text(as_term(atom) if isinstance(atom, Compound) else atom, 700 if literal.is_comparison else 999)
     return f"\\+ {text}" if literal.negated else text
 
 

@@ -16,12 +16,13 @@ from typing import TypeAlias
 
 from casper.kb.errors import BudgetExceeded, ProgramError, Undefined
 from casper.kb.relations.relation import Relation
+from casper.kb.terms.aggregates import aggregate
 from casper.kb.terms.arithmetic import EvaluationFailed
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.comparison import compare, is_ready
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, as_term
-from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute, unify
+from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute, unify, variables_of
 from casper.kb.terms.unknown import DOUBT, opened
 
 Computed: TypeAlias = Callable[[Compound], Iterator[Compound]]
@@ -98,6 +99,8 @@ class Solver:
                 extended = {**bindings, DOUBT: failure.sentence}
             if extended is not None:
                 yield extended
+        elif literal.is_aggregate:
+            yield from self._aggregate(literal, bindings, depth)
         elif literal.negated:
             yield from self._negated(literal, bindings, depth)
         else:
@@ -111,6 +114,28 @@ class Solver:
                 return
             doubt = found[DOUBT]
         yield {**bindings, DOUBT: doubt} if doubt else bindings
+
+    def _aggregate(self, literal: Literal, bindings: Bindings, depth: int) -> Iterator[Bindings]:
+        what, atom, result = literal.atom.args
+        doubt = bindings.get(DOUBT)
+        clean = {v: value for v, value in bindings.items() if v is not DOUBT} if doubt else bindings
+        answers: dict[Compound, Bindings] = {}
+        doubts: dict[Compound, str] = {}
+        for found in self.answers(Literal(atom), clean, depth + 1):
+            instance = substitute(atom, found)
+            if DOUBT in found:
+                doubts.setdefault(instance, found[DOUBT])
+            else:
+                answers.setdefault(instance, found)
+        doubt = doubt or next((reason for instance, reason in doubts.items() if instance not in answers), None)
+        try:
+            value = aggregate(what, list(answers.values()))
+        except EvaluationFailed as failure:
+            doubt = doubt or failure.sentence
+        if doubt:
+            yield {**bindings, DOUBT: doubt}
+        elif value is not None and (extended := unify(result, value, bindings)) is not None:
+            yield extended
 
     def _positive(self, literal: Literal, bindings: Bindings, depth: int) -> Iterator[Bindings]:
         indicator = literal.atom.indicator
@@ -168,7 +193,7 @@ def next_ready(body: Sequence[Literal], bindings: Bindings) -> int | None:
         if literal.is_comparison:
             if is_ready(literal, bindings):
                 return at
-        elif not literal.negated or _is_closed(literal, bindings):
+        elif not literal.is_strict or _is_closed(literal, bindings):
             return at
     return None
 
@@ -197,7 +222,7 @@ def _doubtful(relation: Relation, atom: Compound, bindings: Bindings) -> Iterato
 
 def _is_closed(literal: Literal, bindings: Bindings) -> bool:
     """Whether only anonymous variables are left open: ``\\+ p(X, _)`` asks that no row begins with X."""
-    for variable in literal.variables():
+    for variable in variables_of(literal.atom[2]) if literal.is_aggregate else literal.variables():
         value = substitute(variable, bindings)
         # Only the clause's own ``_`` may stay open: an unknown that came from outside may still become known.
         if not (is_ground(value) or (value is variable and variable.is_anonymous)):

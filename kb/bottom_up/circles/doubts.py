@@ -69,7 +69,7 @@ class _Doubts:
                 self._follow(rule, bindings)
 
     def _follow(self, rule: Clause, bindings: Bindings) -> None:
-        for solution in self.solver.possible(rule.body, bindings):
+        for solution in list(self.solver.possible(rule.body, bindings)):  # rows are added meanwhile
             self._found(rule.head.indicator, tuple([closed(substitute(arg, solution)) for arg in rule.head.args]))
 
     def _found(self, indicator: Indicator, row: Row) -> None:
@@ -88,6 +88,6 @@ def seeds(literal: Literal, row: Row) -> Iterator[Bindings]:
     bindings = unify(type(pattern)(pattern.args), type(pattern)([opened(value, fresh_numbers) for value in row]), {})
     if bindings is None:
         return
-    if literal.negated:  # a negation asks about all that its wildcards may be
+    if literal.is_strict:  # it is about all that its wildcards may be
         bindings = {v: value for v, value in bindings.items() if not v.is_anonymous}
     yield bindings

@@ -108,7 +108,7 @@ class Ground:
 
     def _unfounded(self) -> bool:
         """Make false what could only rest on itself; whether there was anything."""
-        open_rules = [rule for rule, waiting in enumerate(self.waiting) if waiting > 0]
+        open_rules = [r for r, w in enumerate(self.waiting) if w > 0 and self.value[self.heads[r]] == UNDECIDED]
         missing = {r: sum(self.value[a] == UNDECIDED for a in self.premises[r]) for r in open_rules}
         if not any(missing.values()):
             return False

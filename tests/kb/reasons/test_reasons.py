@@ -59,7 +59,8 @@ def check_doubt(doubt, base, rows, possible):
     following = [*doubt.steps[1:], *([doubt.steps[doubt.back]] if doubt.back is not None else [])]
     assert doubt.steps[0].fact == doubt.fact
     for step, other in zip(doubt.steps, following):
-        assert not step.failure and step.literal.atom == other.fact
+        assert not step.failure and step.needs == other.fact
+        assert match(step.literal.atom, other.fact, {}) is not None
     if doubt.back is None:
         assert holds(doubt.steps[-1].literal, rows, possible) is None and doubt.steps[-1].literal.is_comparison
         assert doubt.steps[-1].failure
