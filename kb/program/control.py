@@ -64,38 +64,52 @@ class _Plain:
         found, self.made = self.made, []
         return found
 
-    def clause(self, clause: Clause, outer: frozenset[Variable] | None = None) -> Iterator[Clause]:
-        """The clauses that say the same; ``outer`` are the variables bound before the body (None: the head's)."""
+    def clause(
+        self, clause: Clause, outer: frozenset[Variable] | None = None, around: Sequence[Literal] = ()
+    ) -> Iterator[Clause]:
+        """The clauses that say the same.
+
+        Args:
+            outer: the variables bound before the body (None: the head's).
+            around: the conditions among which the clause is asked.
+        """
         for body in product(*(_alternatives(x.atom, x.negated, x.place) for x in clause.body)):
             leaves = [leaf for part in body for leaf in part]
             before = set(variables_of(clause.head)) if outer is None else set(outer)
             literals = []
             for at, leaf in enumerate(leaves):
                 others = [x for i, x in enumerate(leaves) if i != at]
-                literals.append(self._literal(leaf, clause.head, others, before))
+                literals.append(self._literal(leaf, clause.head, others, before, around))
                 before |= set(leaf.variables())
             yield Clause(clause.head, tuple(literals), clause.place)
 
-    def _literal(self, leaf: Literal, head: Compound, others: list[Literal], before: set[Variable]) -> Literal:
+    def _literal(
+        self,
+        leaf: Literal,
+        head: Compound,
+        others: list[Literal],
+        before: set[Variable],
+        around: Sequence[Literal],
+    ) -> Literal:
         if leaf.atom.indicator in _AGGREGATES:
-            return self._aggregate(leaf, head, others, before)
+            return self._aggregate(leaf, before, [*others, *around])
         if leaf.negated and is_control(leaf):
-            return self._absence(leaf, head, others)
+            return self._absence(leaf, head, others, around)
         return leaf
 
-    def _absence(self, leaf: Literal, head: Compound, others: list[Literal]) -> Literal:
+    def _absence(self, leaf: Literal, head: Compound, others: list[Literal], around: Sequence[Literal]) -> Literal:
         elsewhere = set(variables_of(head, *(x.atom for x in others)))
         shared = [v for v in variables_of(leaf.atom) if v in elsewhere]
-        atom = self._auxiliary(leaf.atom, shared, set(shared), leaf.place, others)
+        atom = self._auxiliary(leaf.atom, shared, set(shared), leaf.place, [*others, *around])
         return Literal(atom, True, leaf.place, as_term(leaf.atom))
 
-    def _aggregate(self, leaf: Literal, head: Compound, others: list[Literal], before: set[Variable]) -> Literal:
+    def _aggregate(self, leaf: Literal, before: set[Variable], around: list[Literal]) -> Literal:
         what, goal, result = _parts(leaf)
         shown = Compound((AGGREGATE, what, goal, result)) if leaf.atom[0] == AGGREGATE else leaf.atom
         inner = predication(goal)
         open_ = before | set(variables_of(what)) | _answered(_alternatives(inner, False, leaf.place))
         arguments = [v for v in variables_of(inner, what) if v in open_]
-        atom = self._auxiliary(inner, arguments, set(variables_of(what)) | before, leaf.place, others)
+        atom = self._auxiliary(inner, arguments, set(variables_of(what)) | before, leaf.place, around)
         own: Bindings = {}
         for variable in arguments:
             if variable not in before:  # as in Prolog it is the goal's own, whatever comes later
@@ -105,7 +119,7 @@ class _Plain:
         return Literal(counted, False, leaf.place, shown)
 
     def _auxiliary(
-        self, goal: Compound, arguments: list[Variable], wanted: Set[Variable], place: Place, others: list[Literal]
+        self, goal: Compound, arguments: list[Variable], wanted: Set[Variable], place: Place, around: list[Literal]
     ) -> Compound:
         """An atom that holds as often as the goal does, of a predicate made for it."""
         self.count += 1
@@ -116,8 +130,8 @@ class _Plain:
             bound = set(variables_of(*(x.atom for x in body)))
             own = {v: "-" for v in arguments if v not in bound and v not in wanted}
             head = Compound((name, *([number] if tagged else ()), *(own.get(v, v) for v in arguments)))
-            for clause in self.clause(Clause(head, tuple(body), place)):
-                self.made.append(_guarded(clause, others))
+            for clause in self.clause(Clause(head, tuple(body), place), None, around):
+                self.made.append(_guarded(clause, around))
         tag = [Variable(f"_#tag{self.count}")] if tagged else []
         return Compound((name, *tag, *arguments))
 
@@ -137,15 +151,15 @@ def _guarded(clause: Clause, others: Sequence[Literal]) -> Clause:
     """The clause with conditions from around it that bind what it does not: it is only asked where they hold."""
     guards: list[Literal] = []
     for literal in others:
-        if is_range_restricted(replace_body(clause, guards)):
+        if is_range_restricted(_with(clause, guards)):
             break
         if not (literal.negated or literal.is_comparison or is_control(literal)):
             guards.append(literal)
-    guarded = replace_body(clause, guards)
+    guarded = _with(clause, guards)
     return guarded if is_range_restricted(guarded) else clause
 
 
-def replace_body(clause: Clause, guards: Sequence[Literal]) -> Clause:
+def _with(clause: Clause, guards: Sequence[Literal]) -> Clause:
     """The clause with more conditions before its own."""
     return Clause(clause.head, (*guards, *clause.body), clause.place)
 
@@ -203,14 +217,11 @@ def _either(args: Sequence[Term], negated: bool, place: Place) -> list[list[Lite
     if not rest:
         return _alternatives(_goal(first, place), negated, place)
     otherwise = rest[0] if len(rest) == 1 else Compound((";", *rest))
+    if negated:
+        return [[Literal(Compound((";", *args)), True, place)]]
     if isinstance(first, Compound) and first.indicator == ("->", 2):
-        if negated:
-            return [[Literal(Compound((";", *args)), True, place)]]
         then = _alternatives(Compound((",", first[1], first[2])), False, place)
         return then + _alternatives(Compound((",", Compound(("\\+", _own(first[1]))), otherwise)), False, place)
-    if negated:
-        none = [_alternatives(_goal(arg, place), True, place) for arg in args]
-        return [[leaf for part in choice for leaf in part] for choice in product(*none)]
     return [body for arg in args for body in _alternatives(_goal(arg, place), False, place)]
 
 

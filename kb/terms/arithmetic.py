@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, TypeAlias
 
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, Term, Variable
+from casper.kb.terms.terms import NIL, Compound, Term, Variable
 
 Number: TypeAlias = int | float
 MOST_BITS = 1 << 20  # of an integer; a power or a shift would otherwise fill the memory in one step
@@ -48,6 +48,8 @@ def evaluate(term: Term) -> Number:
         except (_NoValue, OverflowError, ValueError, ZeroDivisionError) as mistake:
             shown = term_text(Compound((term[0], *values)))
             raise EvaluationFailed(f"{shown} has no value: {_reason(mistake)}") from None
+    if isinstance(term, Compound) and term.indicator == (".", 2) and term[2] == NIL:
+        return evaluate(term[1])  # [X] is X
     if isinstance(term, str) and term in CONSTANTS:
         return CONSTANTS[term]
     if isinstance(term, (int, float)) and not isinstance(term, bool):
@@ -63,6 +65,8 @@ def unknown_functions(term: Term) -> Iterator[str]:
         if isinstance(part, Compound):
             if part.indicator in FUNCTIONS:
                 waiting.extend(reversed(part.args))
+            elif part.indicator == (".", 2) and part[2] == NIL:
+                waiting.append(part[1])
             else:
                 yield f"{part.functor}/{part.arity}"
         elif not isinstance(part, (Variable, int, float)) and part not in CONSTANTS:

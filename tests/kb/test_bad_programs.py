@@ -27,7 +27,7 @@ def refusal(text):
         ("n(1). p(X) :- n(Y), X is foo + Y.", "home.pl:1:21: nothing computes foo/0"),
         ("n(1). p(X) :- n(Y), X is 2 * sqr(Y).", "home.pl:1:21: nothing computes sqr/1; did you mean sqrt?"),
         ("n(1). p(X) :- n(X), X < ann.", "home.pl:1:21: nothing computes ann/0"),
-        ("n(1). p(X) :- n(X), [X] =:= 1.", "home.pl:1:21: nothing computes ./2"),
+        ("n(1). p(X) :- n(X), [X, X] =:= 1.", "home.pl:1:21: nothing computes ./2"),
         ("h(a). p :- h(_), \\+ h(Y).", "home.pl:1:21: Y stands only under a negation; bind it by a condition, or write _"),
         ("h(a). p :- h(_), \\+ h(_Y).", "home.pl:1:21: _Y stands only under a negation"),
         ("p. never(X) :- p.", "home.pl:1:4: a constraint starts with its sentence"),
