@@ -139,6 +139,8 @@ def _power(base: Number, exponent: Number) -> Number:
         return _integer_power(base, exponent)
     if base == 0 and exponent < 0:
         raise ZeroDivisionError
+    if exponent == 0 or (isinstance(base, int) and base in (0, 1)):
+        return 1 if exponent == 0 else base  # the integer, as in SWI-Prolog
     return _finite(math.pow)(base, exponent)
 
 
@@ -175,6 +177,19 @@ def _rounded(how: Callable[[float], int]) -> Callable[[Number], Number]:
 def _nearest(value: float) -> int:
     whole = math.trunc(value)  # value + 0.5 may round up on its own
     return whole + (0 if abs(value - whole) < 0.5 else 1 if value > 0 else -1)
+
+
+def _least(left: Number, right: Number) -> Number:
+    return _float_of(left, right) if left == right else min(left, right)
+
+
+def _greatest(left: Number, right: Number) -> Number:
+    return _float_of(left, right) if left == right else max(left, right)
+
+
+def _float_of(left: Number, right: Number) -> Number:
+    """Of two equal numbers the float, if one is."""
+    return left if isinstance(left, float) else right
 
 
 def _sign(value: Number) -> Number:
@@ -214,12 +229,11 @@ FUNCTIONS: dict[tuple[str, int], Callable[..., Any]] = {
     ("rem", 2): _on_integers(_remainder),
     ("**", 2): _power,
     ("^", 2): _power,
-    ("min", 2): min,
-    ("max", 2): max,
+    ("min", 2): _least,
+    ("max", 2): _greatest,
     ("gcd", 2): _on_integers(math.gcd),
     ("atan2", 2): math.atan2,
     ("atan", 2): math.atan2,
-    ("copysign", 2): math.copysign,
     (">>", 2): _on_integers(_shift_right),
     ("<<", 2): _on_integers(_shift_left),
     ("/\\", 2): _on_integers(operator.and_),
