@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from casper.kb.base import KnowledgeBase
 from casper.kb.checks.finding import Finding, error, warning
 from casper.kb.errors import CasperError, Undefined
+from casper.kb.program.control import is_control, plain_clauses
 from casper.kb.reasons.proof import Proof
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
@@ -28,6 +29,8 @@ def rules_that_give_nothing(
     empty: dict[Indicator, bool] = {}
     for rule in rules:
         needed = [x.atom.indicator for x in rule.body if not x.is_comparison]
+        if any(map(is_control, rule.body)):
+            continue
         if not needed or any(i in open_ for i in needed):
             continue
         if any(_is_empty(kb, i, empty) and any(c.body for c in kb.clauses_of(i)) for i in needed):
@@ -82,7 +85,8 @@ def broken_constraints(
 ) -> Iterator[Finding]:
     """Constraints that the facts alone break, with the facts that clash."""
     for constraint in constraints:
-        if any(not x.is_comparison and x.atom.indicator in open_ for x in constraint.body):
+        parts = plain_clauses([constraint])
+        if any(x.needed in open_ for part in parts for x in part.body):
             continue
         body = _all_named(constraint)
         try:
@@ -99,7 +103,7 @@ def broken_constraints(
 
 
 def _looks_up(literal: Literal) -> bool:
-    return not literal.is_comparison and not literal.negated
+    return not literal.is_comparison and not literal.negated and not is_control(literal)
 
 
 def _all_named(constraint: Clause) -> list[Literal]:

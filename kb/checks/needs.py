@@ -21,7 +21,7 @@ def needs_graph(clauses: Iterable[Clause]) -> nx.DiGraph:
     graph: nx.DiGraph = nx.DiGraph()
     for clause in clauses:
         graph.add_node(clause.head.indicator)
-        needed = (x.atom.indicator for x in clause.body if not x.is_comparison)
+        needed = (x.needed for x in clause.body if x.needed is not None)
         graph.add_edges_from((clause.head.indicator, other) for other in needed)
     return graph
 
