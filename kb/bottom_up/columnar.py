@@ -122,7 +122,7 @@ class ColumnStratum:
         return [self._column(arg, frame, size) for arg in rule.clause.head.args]
 
     def solutions(self, body: tuple[Literal, ...], delta: list[Ids] | None = None) -> tuple[Frame, int]:
-        """Every solution of a body; with a delta its first condition ranges over that, and the order is as it stands."""
+        """Every solution of a body; with a delta the first condition ranges over that, and the order stays."""
         order = _ordered(body, None) if delta is None else body
         frame: Frame = {}
         size = 1

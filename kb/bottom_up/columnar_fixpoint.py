@@ -63,7 +63,10 @@ def _rules(program: Program, stratum: frozenset[Indicator]) -> list[Clause]:
 
 
 def _relations(
-    program: Program, tables: Mapping[Indicator, Table], interner: Interner, undefined: Mapping[Indicator, UndefinedRows]
+    program: Program,
+    tables: Mapping[Indicator, Table],
+    interner: Interner,
+    undefined: Mapping[Indicator, UndefinedRows],
 ) -> dict[Indicator, Relation]:
     """The tables as relations, with the undefined rows beside them."""
     stored = [indicator for stratum in program.strata for indicator in stratum]

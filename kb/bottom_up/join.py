@@ -12,9 +12,9 @@ from typing import Any, TypeAlias
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.relations.undefined import Possible
 from casper.kb.terms.aggregates import aggregate
-from casper.kb.terms.arithmetic import EvaluationFailed
+from casper.kb.terms.arithmetic import EvaluationFailed, compiled
 from casper.kb.terms.clauses import Clause, Indicator, Literal
-from casper.kb.terms.comparison import compare, is_ready
+from casper.kb.terms.comparison import compare, compiled_test, is_ready
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify, variables_of
 from casper.kb.terms.unknown import UNKNOWN, may_equal
@@ -214,7 +214,6 @@ def _cost(item: tuple[int, Literal], known: set[Variable], delta_at: int | None)
     at, literal = item
     if at == delta_at:
         return (-2, 0, at)
-    variables = set(variables_of(literal.atom))
     if literal.is_comparison:
         bindings = {v: 0 for v in known}
         return (-1 if is_ready(literal, bindings) and _decides(literal, known) else 3, 0, at)
@@ -234,16 +233,54 @@ def _comparison_step(literal: Literal, known: Set[Variable], slots: Slots, conte
     after = [(v, slots[v]) for v in literal.variables() if v not in known]
     everything = [(v, slots[v]) for v in known if v in slots]
 
+    def fails(environment: Environment) -> None:
+        if context[4] is not None:
+            context[4]({v: environment[slot] for v, slot in everything})
+
+    if literal.atom[0] == "is" and not literal.negated and [v for v, _ in after] == [literal.atom[1]]:
+        return _value_step(compiled(literal.atom[2], slots), after[0][1], fails, then)
+    holds = compiled_test(literal, slots)
+    if holds is not None and not after:
+        return _test_step(holds, fails, then)
+
     def test(environment: Environment) -> None:
         try:
             extended = compare(literal, {v: environment[slot] for v, slot in before})
         except EvaluationFailed:
-            if context[4] is not None:
-                context[4]({v: environment[slot] for v, slot in everything})
+            fails(environment)
             return
         if extended is not None:
             for variable, slot in after:
                 environment[slot] = extended.get(variable)
+            then(environment)
+
+    return test
+
+
+def _value_step(value: Callable[[Environment], Term], slot: int, fails: Step, then: Step) -> Step:
+    """A variable gets the value of an expression."""
+
+    def assign(environment: Environment) -> None:
+        try:
+            environment[slot] = value(environment)
+        except EvaluationFailed:
+            fails(environment)
+            return
+        then(environment)
+
+    return assign
+
+
+def _test_step(holds: Callable[[Environment], bool], fails: Step, then: Step) -> Step:
+    """Two expressions are compared."""
+
+    def test(environment: Environment) -> None:
+        try:
+            found = holds(environment)
+        except EvaluationFailed:
+            fails(environment)
+            return
+        if found:
             then(environment)
 
     return test

@@ -103,8 +103,7 @@ class _Search(Stratum):
         return self._keeper(rule.head.indicator)
 
     def _keeper(self, indicator: Indicator) -> Emit:
-        at, mode = self.modes[indicator]
-        is_better = self.modes[indicator].is_better
+        at, is_better = self.modes[indicator].at, self.modes[indicator].is_better
         best, better = self.best[indicator], self.better.setdefault(indicator, {})
 
         def emit(row: Row) -> None:

@@ -186,7 +186,7 @@ def _parts(leaf: Literal) -> tuple[Term, Term, Term]:
 
 
 def _alternatives(goal: Compound, negated: bool, place: Place) -> list[list[Literal]]:
-    """A goal as alternatives of conditions, the author's order kept; what is negated or counted as a whole stays one."""
+    """A goal as alternatives of conditions, in the author's order; what is negated or counted as a whole stays one."""
     name, args = goal.functor, goal.args
     if name in ("\\+", "not") and len(args) == 1:
         return _alternatives(_goal(args[0], place), not negated, place)

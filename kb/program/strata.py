@@ -105,8 +105,10 @@ def check_least(table: Table, least: Collection[Indicator]) -> None:
         others = [i for i in group if i not in least]
         strict = any(x.is_strict and x.needed in group for i in group for c in table[i] for x in c.body)
         if moded and (others or strict):
-            (name, arity), circle = moded[0], " and ".join(f"{n}/{a}" for n, a in sorted(group) if not is_auxiliary((n, a)))
-            raise ProgramError(f"{name}/{arity} keeps one row for each key, so its circle may hold nothing else: {circle}")
+            name, arity = moded[0]
+            circle = " and ".join(f"{n}/{a}" for n, a in sorted(group) if not is_auxiliary((n, a)))
+            sentence = f"{name}/{arity} keeps one row for each key, so its circle may hold nothing else"
+            raise ProgramError(f"{sentence}: {circle}")
 
 
 def levels_of(table: Table, least: Collection[Indicator] = ()) -> dict[Indicator, int]:

@@ -67,7 +67,8 @@ def _other_value(literal: Literal, solution: Bindings, solver: Solver) -> str:
     found = next(iter(solver.solve([asked], solution)), None)
     if found is None or not isinstance(shown, Compound):
         return ""
-    return f"{term_text(Compound((*shown[:-1], Variable('N'))))} gives {term_text(substitute(value, found))}, not {term_text(shown[-1])}"
+    written = term_text(Compound((*shown[:-1], Variable("N"))))
+    return f"{written} gives {term_text(substitute(value, found))}, not {term_text(shown[-1])}"
 
 
 def _answers(literal: Literal, solution: Bindings, solver: Solver) -> list[str]:

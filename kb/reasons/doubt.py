@@ -28,8 +28,8 @@ MOST_WAYS = 200  # instances of its rules looked at for one atom
 class Step:
     """One undefined atom: the rule that would give it, the body's instance, and its condition that is undefined.
 
-    ``failure`` says why that condition has no value, where it is a comparison or an aggregate; otherwise ``needs`` is the
-    undefined atom that it is about.
+    ``failure`` says why that condition has no value, where it is a comparison or an aggregate; otherwise ``needs`` is
+    the undefined atom that it is about.
     """
 
     fact: Compound

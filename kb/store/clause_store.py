@@ -56,7 +56,9 @@ class ClauseStore:
         return base
 
     def add(self, sentences: Iterable[Sentence]) -> None:
-        """Add clauses and declarations (``:- dynamic``, ``table``, ``discontiguous``); productions are the plan library's, not ours.
+        """Add clauses and declarations (``:- dynamic``, ``table``, ``discontiguous``).
+
+        Productions are the plan library's, not ours.
 
         Raises:
             ProgramError: a directive nobody knows, or a production.

@@ -37,7 +37,7 @@ def aggregate(what: Term, answers: Sequence[Bindings]) -> Term | None:
 
 
 def _sum(values: Sequence[Number]) -> Number:
-    """The exact sum where that is an integer; floats are added in order of size, so that any order of answers agrees."""
+    """The exact sum where that is an integer; floats are added in order of size: any order of answers agrees."""
     total: Number = 0
     for value in sorted(values):
         total = evaluate(Compound(("+", total, value)))

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, TypeAlias
 
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import NIL, Compound, Term, Variable
+from casper.kb.terms.unification import substitute, variables_of
 
 Number: TypeAlias = int | float
 MOST_BITS = 1 << 20  # of an integer; a power or a shift would otherwise fill the memory in one step
@@ -30,6 +31,8 @@ class _NoValue(Exception):
     """Why the outermost operation of an expression has no value."""
 
 
+_SMALL = 1 << 62  # results below it need no look at their size
+_PLAIN: dict[str, Callable[[int, int], int]] = {"+": operator.add, "-": operator.sub, "*": operator.mul}
 CONSTANTS: dict[str, float] = {"pi": math.pi, "e": math.e, "inf": math.inf, "epsilon": 2.0**-52}
 
 
@@ -55,6 +58,38 @@ def evaluate(term: Term) -> Number:
     if isinstance(term, (int, float)) and not isinstance(term, bool):
         return term
     raise EvaluationFailed(f"{term_text(term)} is not a number")
+
+
+def compiled(term: Term, slots: Mapping[Variable, int]) -> Callable[[Sequence[Term]], Number]:
+    """`evaluate` for a term whose variables have their values in an environment; raises as it does."""
+    if isinstance(term, Variable):
+        slot = slots[term]
+
+        def look_up(environment: Sequence[Term]) -> Number:
+            value = environment[slot]
+            return value if type(value) is int or type(value) is float else evaluate(value)
+
+        return look_up
+    if isinstance(term, Compound) and term.arity == 2 and term.indicator in FUNCTIONS:
+        return _compiled_pair(term[0], compiled(term[1], slots), compiled(term[2], slots))
+    names = list(variables_of(term))
+    return lambda environment: evaluate(substitute(term, {v: environment[slots[v]] for v in names}))
+
+
+def _compiled_pair(
+    name: str, left: Callable[[Sequence[Term]], Number], right: Callable[[Sequence[Term]], Number]
+) -> Callable[[Sequence[Term]], Number]:
+    plain = _PLAIN.get(name)
+
+    def apply(environment: Sequence[Term]) -> Number:
+        one, other = left(environment), right(environment)
+        if plain is not None and type(one) is int and type(other) is int:
+            result = plain(one, other)
+            if -_SMALL < result < _SMALL:
+                return result
+        return evaluate(Compound((name, one, other)))
+
+    return apply
 
 
 def unknown_functions(term: Term) -> Iterator[str]:

@@ -6,12 +6,12 @@ A comparison whose sides cannot be evaluated neither holds nor fails: it raises 
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from casper.kb.terms.arithmetic import evaluate, unknown_functions
+from casper.kb.terms.arithmetic import compiled, evaluate, unknown_functions
 from casper.kb.terms.clauses import Literal
-from casper.kb.terms.terms import Term
+from casper.kb.terms.terms import Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
 
 _ORDER: dict[str, Callable[[Any, Any], bool]] = {
@@ -58,6 +58,15 @@ def _holds(operator_: str, left: Term, right: Term, bindings: Bindings) -> Bindi
         return unify(left, evaluate(substitute(right, bindings)), bindings)
     values = evaluate(substitute(left, bindings)), evaluate(substitute(right, bindings))
     return bindings if _ORDER[operator_](*values) else None
+
+
+def compiled_test(literal: Literal, slots: Mapping[Variable, int]) -> Callable[[Sequence[Term]], bool] | None:
+    """`compare` for an order of numbers whose variables are all known, in an environment; None for other conditions."""
+    operator_, left, right = literal.atom
+    if operator_ not in _ORDER:
+        return None
+    holds, one, other, wanted = _ORDER[operator_], compiled(left, slots), compiled(right, slots), not literal.negated
+    return lambda environment: holds(one(environment), other(environment)) is wanted
 
 
 def misspelt(literal: Literal) -> Iterator[str]:

@@ -96,7 +96,7 @@ def test_true_answers_come_first_and_undefined_ones_are_never_passed_over():
     base = KnowledgeBase.from_text(GAME)
     answers = base.query("win(X)")
     assert next(answers) == {"X": "b"}
-    with pytest.raises(Undefined, match="X = . and 1 more are undefined"):
+    with pytest.raises(Undefined, match=r"X = . and 1 more are undefined"):
         next(answers)
     assert list(base.query("win(X)", 1)) == [{"X": "b"}]
     assert sorted(answer["X"] for answer in base.query("win(X)", undefined=True)) == ["x", "y"]
