@@ -92,7 +92,8 @@ class Join:
         try:
             self._step(environment)
         except _Found:
-            return {variable: environment[slot] for variable, slot in self._slots.items()}
+            inner = {v for x in self.clause.body if x.is_strict for v in x.variables() if v.is_anonymous}
+            return {v: environment[slot] for v, slot in self._slots.items() if v not in inner}
         return None
 
     def derives(self, relations: Mapping[Indicator, Relation], row: Row, failed: Failed | None = None) -> bool:

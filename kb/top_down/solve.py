@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import count
 from typing import TypeAlias
 
@@ -238,7 +238,8 @@ def _too_deep(literal: Literal) -> BudgetExceeded:
 def _floundering(literal: Literal, bindings: Bindings) -> ProgramError:
     from casper.kb.text.writer import literal_text
 
-    [atom] = renamed([substitute(literal.atom, bindings)], 0)  # by the names their author gave the variables
-    shown = literal_text(Literal(atom, literal.negated))
+    instance = literal.instance(bindings)
+    [atom] = renamed([instance.atom], 0)  # by the names their author gave the variables
+    shown = literal_text(replace(instance, atom=atom))
     place = literal.place if literal.place.line else None
     return ProgramError(f"{shown} cannot be decided: bind its variables by a condition before it", place)

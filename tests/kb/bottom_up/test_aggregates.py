@@ -140,6 +140,31 @@ def test_another_result_is_told():
     assert base.why_not("total(7)").reasons == ("aggregate_all(sum(X), p(X), N) gives 6, not 7",)
 
 
+def test_a_count_for_something_unknown_is_refused_never_wrong():
+    base = KnowledgeBase.from_text("p(a, 1). p(b, 2). n(X, N) :- aggregate_all(count, p(X, _), N).")
+    assert base.ask("n(a, 1)") and not base.ask("n(c, 1)") and base.ask("n(c, 0)")
+    with pytest.raises(ProgramError, match=r"aggregate_all\(count, p\(X, _\), N\) cannot be decided: bind its variables"):
+        list(base.query("n(X, N)"))
+
+
+def test_a_constraint_can_count():
+    base = KnowledgeBase.from_text('never("two is company") :- claim(join(_)), aggregate_all(count, in(_), N), N >= 2.'
+        " in(ann). in(bob). join(X) :- who(X). who(eve).")
+    assert base.verify("join(eve)").reasons == ("two is company",)
+    assert sorted(map(str, base.repair("join(eve)"))) == ["remove in(ann)", "remove in(bob)"]
+    base.retract("in(ann)")
+    assert base.verify("join(eve)").valid
+
+
+def test_conditions_with_parts_inside_are_used_under_a_prefix(tmp_path):
+    from casper.kb.text.namespace import prefixed
+
+    text = "p(1). p(2). q(1). n(N) :- aggregate_all(count, (p(X), \\+ q(X)), N). none :- \\+ (p(X), X > 5). :- table(least(min)). least(X) :- p(X)."
+    base = KnowledgeBase()
+    base.add(prefixed(read_text(text), "other"))
+    assert base.ask("other:n(1)") and base.ask("other:none") and list(base.rows("other:least", 1)) == [(1,)]
+
+
 def test_least_and_greatest_of_nothing_fail_and_counts_do_not():
     base = KnowledgeBase.from_text(":- dynamic(p/1).")
     asked = {way: list(base.query(f"aggregate_all({way}, p(X), R)")) for way in ("count", "sum(X)", "min(X)", "max(X, X)", "bag(X)")}

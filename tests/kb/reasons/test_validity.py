@@ -222,3 +222,9 @@ def test_facts_that_may_break_a_constraint_leave_every_verdict_open():
     assert base.verify("p(a)").valid is None
     assert base.truth("never(S)") == "undefined"
     assert base.verify("p(b)").valid is False
+
+
+def test_a_clash_leaves_open_what_a_negation_leaves_open():
+    base = KnowledgeBase.from_text('never("no witness") :- claim(p(X)), \\+ saw(X, _). :- dynamic(saw/2). p(a).')
+    [violation] = base.why_not("p(a)").violations
+    assert str(violation.clash[1].atom) == "saw(a, _)"
