@@ -32,7 +32,7 @@ from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import is_ground, substitute
-from casper.kb.terms.unknown import DOUBT
+from casper.kb.terms.unknown import DOUBT, closed
 from casper.kb.text.reader import read_query
 from casper.kb.top_down.solve import DEFAULT_BUDGET
 
@@ -343,6 +343,6 @@ class KnowledgeBase(ClauseStore):
 def _undefined_answers(left: dict[Row, tuple[list[str], str]]) -> str:
     """The sentence for answers that are undefined."""
     row, (names, reason) = next(iter(left.items()))
-    shown = ", ".join(f"{name} = {term_text(value)}" for name, value in zip(names, row)) or "the answer"
+    shown = ", ".join(f"{name} = {term_text(closed(value))}" for name, value in zip(names, row)) or "the answer"
     more = f" and {len(left) - 1} more" if len(left) > 1 else ""
     return f"{shown}{more} {'are' if more else 'is'} undefined: {reason}"

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from casper.kb.bottom_up.minimum import Within
+from casper.kb.bottom_up.circles.minimum import Within
 from casper.kb.bottom_up.size import MOST_ROWS, Room
 from casper.kb.program.program import Program
 from casper.kb.relations.relation import Relation

@@ -6,24 +6,27 @@ optimiser's (bound columns first); reasons never come from here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Set
-from typing import Any, TypeAlias
+from collections.abc import Iterable, Mapping, Set
+from typing import Any
 
+from casper.kb.bottom_up.steps import (
+    Binder,
+    Emit,
+    Environment,
+    Failed,
+    Slots,
+    Step,
+    aggregate_step,
+    comparison_step,
+    row_builder,
+)
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.relations.undefined import Possible
-from casper.kb.terms.aggregates import aggregate
-from casper.kb.terms.arithmetic import EvaluationFailed, compiled
 from casper.kb.terms.clauses import Clause, Indicator, Literal
-from casper.kb.terms.comparison import compare, compiled_test, is_ready
-from casper.kb.terms.terms import Compound, Term, Variable
-from casper.kb.terms.unification import Bindings, is_ground, substitute, unify, variables_of
-from casper.kb.terms.unknown import UNKNOWN, may_equal
+from casper.kb.terms.comparison import is_ready
+from casper.kb.terms.terms import Term, Variable
+from casper.kb.terms.unification import Bindings, substitute, variables_of
 
-Environment: TypeAlias = list[Term]
-Step: TypeAlias = Callable[[Environment], None]
-Slots: TypeAlias = dict[Variable, int]
-Emit: TypeAlias = Callable[[Row], None]
-Failed: TypeAlias = Callable[[Bindings], None]
 NOBODY: frozenset[Variable] = frozenset()
 
 
@@ -118,9 +121,9 @@ class Join:
 
     def _condition(self, literal: Literal, known: Set[Variable], is_delta: bool, then: Step) -> Step:
         if literal.is_comparison:
-            return _comparison_step(literal, known, self._slots, self._context, then)
+            return comparison_step(literal, known, self._slots, self._context, then)
         if literal.is_aggregate:
-            return self._aggregate_step(literal, known, then)
+            return aggregate_step(literal, known, self._slots, self._context, then)
         indicator, args, context = literal.atom.indicator, literal.atom.args, self._context
         columns = tuple(c for c, arg in enumerate(args) if set(variables_of(arg)) <= known)
         key = row_builder([args[c] for c in columns], self._slots)
@@ -142,44 +145,6 @@ class Join:
                 then(environment)
 
         return scan if is_delta else absent if literal.negated else lookup
-
-
-    def _aggregate_step(self, literal: Literal, known: Set[Variable], then: Step) -> Step:
-        """Work the aggregate out of the rows that the known columns leave; undefined ones leave it undefined."""
-        what, atom, result = literal.atom.args
-        context, slots = self._context, self._slots
-        columns = tuple(c for c, arg in enumerate(atom.args) if set(variables_of(arg)) <= known)
-        key = row_builder([atom.args[c] for c in columns], slots)
-        rest = [(c, arg) for c, arg in enumerate(atom.args) if c not in columns]
-        bind = Binder(rest, known, slots)
-        own = [(v, slots[v]) for v in variables_of(*(arg for _, arg in rest))]
-        given = [(v, slots[v]) for v in literal.variables() if v in known]
-        after = [(v, slots[v]) for v in variables_of(result) if v not in known]
-        everything = [(v, slots[v]) for v in known if v in slots]
-
-        def work_out(environment: Environment) -> None:
-            relation, wanted = context[0][atom.indicator], key(environment)
-            if relation.undefined is not None and relation.undefined.matching(columns, wanted):
-                return
-            bindings = {v: environment[slot] for v, slot in given}
-            answers = [
-                {**bindings, **{v: environment[slot] for v, slot in own}}
-                for row in relation.matching(columns, wanted)
-                if bind(row, environment)
-            ]
-            try:
-                value = aggregate(what, answers)
-            except EvaluationFailed:
-                if context[4] is not None:
-                    context[4]({v: environment[slot] for v, slot in everything})
-                return
-            extended = None if value is None else unify(result, value, bindings)
-            if extended is not None:
-                for variable, slot in after:
-                    environment[slot] = substitute(variable, extended)
-                then(environment)
-
-        return work_out
 
 
 def _apart(literal: Literal) -> Literal:
@@ -227,119 +192,3 @@ def _decides(literal: Literal, known: set[Variable]) -> bool:
     """Whether an ``=`` has at least one side known: before that it would only tie two unknowns together."""
     left, right = set(variables_of(literal.atom[1])), set(variables_of(literal.atom[2]))
     return left <= known or right <= known
-
-
-def _comparison_step(literal: Literal, known: Set[Variable], slots: Slots, context: list[Any], then: Step) -> Step:
-    before = [(v, slots[v]) for v in literal.variables() if v in known]
-    after = [(v, slots[v]) for v in literal.variables() if v not in known]
-    everything = [(v, slots[v]) for v in known if v in slots]
-
-    def fails(environment: Environment) -> None:
-        if context[4] is not None:
-            context[4]({v: environment[slot] for v, slot in everything})
-
-    if literal.atom[0] == "is" and not literal.negated and [v for v, _ in after] == [literal.atom[1]]:
-        return _value_step(compiled(literal.atom[2], slots), after[0][1], fails, then)
-    holds = compiled_test(literal, slots)
-    if holds is not None and not after:
-        return _test_step(holds, fails, then)
-
-    def test(environment: Environment) -> None:
-        try:
-            extended = compare(literal, {v: environment[slot] for v, slot in before})
-        except EvaluationFailed:
-            fails(environment)
-            return
-        if extended is not None:
-            for variable, slot in after:
-                environment[slot] = extended.get(variable)
-            then(environment)
-
-    return test
-
-
-def _value_step(value: Callable[[Environment], Term], slot: int, fails: Step, then: Step) -> Step:
-    """A variable gets the value of an expression."""
-
-    def assign(environment: Environment) -> None:
-        try:
-            environment[slot] = value(environment)
-        except EvaluationFailed:
-            fails(environment)
-            return
-        then(environment)
-
-    return assign
-
-
-def _test_step(holds: Callable[[Environment], bool], fails: Step, then: Step) -> Step:
-    """Two expressions are compared."""
-
-    def test(environment: Environment) -> None:
-        try:
-            found = holds(environment)
-        except EvaluationFailed:
-            fails(environment)
-            return
-        if found:
-            then(environment)
-
-    return test
-
-
-def row_builder(terms: list[Term], slots: Slots) -> Callable[[Environment], Row]:
-    """A function from the environment to the row of the terms' values."""
-    if all(isinstance(term, Variable) for term in terms):
-        at = [slots[term] for term in terms]
-        if len(at) == 1:
-            only = at[0]
-            return lambda environment: (environment[only],)
-        if len(at) == 2:
-            first, second = at
-            return lambda environment: (environment[first], environment[second])
-        return lambda environment: tuple([environment[slot] for slot in at])
-    return lambda environment: tuple([_value(term, environment, slots) for term in terms])
-
-
-def _value(term: Term, environment: Environment, slots: Slots) -> Term:
-    if isinstance(term, Variable):
-        return environment[slots[term]]
-    if isinstance(term, Compound) and not is_ground(term):
-        return Compound([_value(part, environment, slots) for part in term])
-    return term
-
-
-class Binder:
-    """Stores a row's open columns in the environment; False where a constant or a repeated variable disagrees."""
-
-    __slots__ = ("known", "pairs", "rest", "slots")
-
-    def __init__(self, rest: list[tuple[int, Term]], known: Set[Variable], slots: Slots) -> None:
-        self.rest, self.known, self.slots = rest, known, slots
-        variables = [term for _, term in rest]
-        simple = all(isinstance(term, Variable) for term in variables) and len(set(variables)) == len(variables)
-        self.pairs = [(column, slots[term]) for column, term in rest] if simple else None
-
-    def __call__(self, row: Row, environment: Environment) -> bool:
-        if self.pairs is not None:
-            for column, slot in self.pairs:
-                environment[slot] = row[column]
-            return True
-        assigned = set(self.known)
-        return all(_match(term, row[column], environment, self.slots, assigned) for column, term in self.rest)
-
-
-def _match(term: Term, value: Term, environment: Environment, slots: Slots, assigned: set[Variable]) -> bool:
-    """One-way unification of a pattern with a ground value."""
-    if value is UNKNOWN:
-        return True  # only a negation looks at undefined rows here: it must not hold for certain
-    if isinstance(term, Variable):
-        if term in assigned:
-            return bool(environment[slots[term]] == value) or may_equal(environment[slots[term]], value)
-        assigned.add(term)
-        environment[slots[term]] = value
-        return True
-    if isinstance(term, Compound):
-        same_shape = isinstance(value, Compound) and len(value) == len(term)
-        return same_shape and all(_match(t, v, environment, slots, assigned) for t, v in zip(term, value))
-    return bool(term == value)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from casper.kb.bottom_up.circles.alternating import well_founded
 from casper.kb.bottom_up.circles.doubts import add_undefined
-from casper.kb.bottom_up.minimum import least_rows
+from casper.kb.bottom_up.circles.minimum import least_rows
 from casper.kb.bottom_up.size import MOST_ROWS, Room
 from casper.kb.bottom_up.stratum import Stratum
 from casper.kb.program.program import Program

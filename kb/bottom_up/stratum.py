@@ -6,8 +6,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from casper.kb.bottom_up.join import Emit, Join
+from casper.kb.bottom_up.join import Join
 from casper.kb.bottom_up.size import Room
+from casper.kb.bottom_up.steps import Emit
 from casper.kb.program.program import Program
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator

@@ -12,13 +12,13 @@ from typing import Any
 
 from casper.kb.terms.arithmetic import EvaluationFailed
 from casper.kb.terms.clauses import Clause, Literal, is_auxiliary
-from casper.kb.terms.comparison import compare
+from casper.kb.terms.comparison import compare, is_ready
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.kb.terms.unification import is_ground, substitute, unify
-from casper.kb.terms.unknown import DOUBT
+from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
+from casper.kb.terms.unknown import DOUBT, UNKNOWN, closed, opened
 from casper.kb.text.writer import literal_text
-from casper.kb.top_down.solve import Solver
+from casper.kb.top_down.solve import Solver, fresh_numbers, next_ready
 
 MOST_ATOMS = 2_000  # looked at in search of a circle
 MOST_WAYS = 200  # instances of its rules looked at for one atom
@@ -65,7 +65,8 @@ class Doubt:
         if last.failure:
             shown = ", ".join(map(literal_text, last.body))
             place = f" at {_place(last.clause)}" if _place(last.clause) else ""
-            return f"{text}, and {last.failure} (in {_shown(last.fact, [last])} :- {shown}{place})"
+            head = "" if is_auxiliary(last.fact.indicator) else f"{_shown(last.fact, [last])} :- "
+            return f"{text}, and {last.failure} (in {head}{shown}{place})"
         return f"{text}; that is a circle"
 
     def __str__(self) -> str:
@@ -206,42 +207,59 @@ class _Search:
 
     def _ways(self, atom: Compound) -> Iterator[Step]:
         """Every condition that leaves the atom undefined, with the instance of its rule."""
+        asked = opened(atom, fresh_numbers)
         for clause in self.solver.clauses.get(atom.indicator, ()):
             head, body = self.solver.fresh(clause)
-            bindings = unify(head, atom, {})
+            bindings = unify(head, asked, {})
             if bindings is None:
                 continue
             for number, solution in enumerate(self.solver.possible(body, bindings)):
                 if number >= MOST_WAYS:
                     break
                 if DOUBT in solution:
-                    instance = tuple(x.instance(solution) for x in body)
-                    yield from self._undefined_in(atom, clause, instance)
+                    yield from self._undefined_in(atom, clause, [x.instance(solution) for x in body])
 
-    def _undefined_in(self, atom: Compound, clause: Clause, body: tuple[Literal, ...]) -> Iterator[Step]:
-        for literal in body:
+    def _undefined_in(self, atom: Compound, clause: Clause, body: Sequence[Literal]) -> Iterator[Step]:
+        shown = tuple(map(_with_unknowns, body))
+        for literal, written in zip(body, shown):
             if literal.is_comparison:
                 failure = _failure(literal)
                 if failure:
-                    yield Step(atom, clause, body, literal, failure)
+                    yield Step(atom, clause, shown, written, failure)
+            elif next_ready([literal], {}) is None:
+                continue  # what it asks about came from a value that could not be worked out
+            elif not (literal.is_strict or is_ground(literal.atom)):  # a row with an unknown value was met
+                needs = self._undefined_atom(literal.atom)
+                if needs is not None:
+                    yield Step(atom, clause, shown, written, "", needs)
             elif (remark := undefined_by(literal, self.solver)) is not None:
                 needs = self._undefined_atom(literal.atom[2] if literal.is_aggregate else literal.atom)
                 if needs is not None:
-                    yield Step(atom, clause, body, literal, "", needs)
+                    yield Step(atom, clause, shown, written, "", needs)
                 elif literal.is_aggregate:
-                    yield Step(atom, clause, body, literal, remark)
+                    yield Step(atom, clause, shown, written, remark)
 
     def _undefined_atom(self, atom: Compound) -> Compound | None:
-        """An undefined atom that the given one can be."""
+        """An undefined atom that the given one can be; what could not be worked out is unknown in it."""
         for found in self.solver.possible([Literal(atom)]):
             instance: Compound = substitute(atom, found)
-            if DOUBT in found and is_ground(instance) and undefined_by(Literal(instance), self.solver) is not None:
-                return instance
+            if DOUBT not in found:
+                continue
+            if not is_ground(instance) or undefined_by(Literal(instance), self.solver) is not None:
+                return Compound([closed(part) for part in instance])
         return None
 
 
+def _with_unknowns(literal: Literal) -> Literal:
+    """The condition with what could not be worked out as unknown; wildcards stay."""
+    names: Bindings = {v: UNKNOWN for v in literal.variables() if not v.is_anonymous}
+    return literal.instance(names) if names else literal
+
+
 def _failure(literal: Literal) -> str:
-    """Why a comparison has no value, or nothing."""
+    """Why a comparison has no value, or nothing; one with an open part is not to blame."""
+    if not is_ready(literal, {}):
+        return ""
     try:
         compare(literal, {})
     except EvaluationFailed as failure:

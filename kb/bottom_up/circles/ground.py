@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from casper.kb.bottom_up.join import Binder, Join, row_builder
+from casper.kb.bottom_up.join import Join
+from casper.kb.bottom_up.steps import Binder, row_builder
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.relations.undefined import UndefinedRows
 from casper.kb.terms.clauses import Clause, Indicator, Literal

@@ -17,6 +17,7 @@ from casper.kb.bottom_up.specification import naive_fixpoint
 from casper.kb.errors import BudgetExceeded, ProgramError, Undefined
 from casper.kb.terms.ordering import standard_key
 from casper.kb.terms.terms import Compound, list_items, make_list
+from casper.kb.terms.unknown import has_unknown
 from casper.kb.text.reader import read_text
 
 DERIVED = {"d": 2, "f": 1, "g": 2, "h": 1}
@@ -115,6 +116,38 @@ def test_a_program_with_goals_inside_goals_prints_as_text_that_means_the_same(rn
     again = KnowledgeBase.from_text(base.to_text())
     assert again.to_text() == base.to_text()
     assert all(set(again.stored(i)) == set(base.stored(i)) for i in DERIVED.items())
+
+
+@given(st.randoms(use_true_random=False))
+def test_whatever_is_undefined_leads_to_a_circle_or_to_what_has_no_value(rng):
+    program = random_program(rng)
+    base = base_of([*program, rng.choice(["b(ann).", "e(1, ann).", "e(ann, 1).", "b(0)."])])
+    rules = {rule for found in base._model.program.rules.values() for rule in found}
+    for indicator in DERIVED.items():
+        for row in base.stored(indicator).undefined or ():
+            atom = Compound((indicator[0], *row))
+            doubt = base.why(atom)
+            if doubt is None or not doubt.steps:
+                assert has_unknown(atom)  # asked for an unknown value, any will do
+                continue
+            last = doubt.steps[-1]
+            assert doubt.steps[0].fact == doubt.fact and (doubt.back is None) == bool(last.failure)
+            for step, other in zip(doubt.steps, doubt.steps[1:]):
+                assert step.needs == other.fact
+            for step in doubt.steps:
+                assert step.clause in rules and step.literal in step.body
+            assert base.truth(atom) == "undefined"
+            assert base.verify(atom).reasons == (doubt.sentence,)
+
+
+def test_what_rests_on_a_value_that_is_not_there_is_told_to_the_end():
+    base = KnowledgeBase.from_text("n(0). half(X, Y) :- n(X), Y is 4 / X. ok(X) :- n(X), \\+ (half(X, Y), Y > 100).", "home.pl")
+    assert base.why("ok(0)").sentence == (
+        "ok(0) is undefined: it needs \\+ (half(0, Y), Y > 100), which needs half(0, ?), which needs ? is 4 / 0, "
+        "and 4 / 0 has no value: division by zero (in half(0, ?) :- n(0), ? is 4 / 0 at home.pl:1)"
+    )
+    assert base.truth("half(0, 7)") == base.truth("half(0, X)") == "undefined"
+    assert next(base.query("half(X, Y)", undefined=True))["X"] == 0
 
 
 HELPERS = """

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from casper.kb.bottom_up.join import Emit, Join
+from casper.kb.bottom_up.join import Join
 from casper.kb.bottom_up.size import Room
+from casper.kb.bottom_up.steps import Emit
 from casper.kb.bottom_up.stratum import Stratum
 from casper.kb.errors import BudgetExceeded
 from casper.kb.program.declarations import Moded
