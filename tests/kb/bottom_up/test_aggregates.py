@@ -8,13 +8,15 @@ import networkx as nx
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from programs import atoms_of
+from programs import atoms_of, match, put
 from swi import MANY, answers, needs_swi
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.bottom_up.materialise import materialise
 from casper.kb.bottom_up.specification import naive_fixpoint
 from casper.kb.errors import BudgetExceeded, ProgramError, Undefined
+from casper.kb.terms.arithmetic import evaluate
+from casper.kb.terms.comparison import compare
 from casper.kb.terms.ordering import standard_key
 from casper.kb.terms.terms import Compound, list_items, make_list
 from casper.kb.terms.unknown import has_unknown
@@ -148,6 +150,76 @@ def test_what_rests_on_a_value_that_is_not_there_is_told_to_the_end():
     )
     assert base.truth("half(0, 7)") == base.truth("half(0, X)") == "undefined"
     assert next(base.query("half(X, Y)", undefined=True))["X"] == 0
+
+
+def worked_out(literal, base):
+    """The value of an aggregate, from the rows of what it counts: independent of the knowledge base's own folding."""
+    what, counted, _ = literal.atom[1:]
+    found = [match(counted, Compound((counted[0], *row)), {}) for row in base.stored(counted.indicator)]
+    found = [environment for environment in found if environment is not None]
+    if what == "count":
+        return len(found)
+    values = [put(what[1], environment) for environment in found]
+    if what[0] in ("bag", "set"):
+        values = sorted(values if what[0] == "bag" else set(values), key=standard_key)
+        return make_list(values)
+    numbers = [evaluate(value) for value in values]
+    if what[0] == "sum":
+        return sum(numbers)
+    best = (min if what[0] == "min" else max)(numbers)
+    if len(what) == 2:
+        return best
+    witnesses = [put(what[2], environment) for environment, number in zip(found, numbers) if number == best]
+    return Compound((what[0], best, min(witnesses, key=standard_key)))
+
+
+def check(proof, base, rules):
+    """Refuse anything that is not a proof: each node a fact, an instance of its rule, or true by itself."""
+    literal = proof.literal
+    if proof.clause is None:
+        assert not proof.premises
+        if literal.is_aggregate:
+            assert worked_out(literal, base) == literal.atom[3]
+        elif literal.negated and not literal.is_comparison:
+            relation = base.stored(literal.atom.indicator)
+            everything = [*relation, *(relation.undefined or ())]
+            assert all(match(literal.atom, Compound((literal.atom[0], *row)), {}) is None for row in everything)
+        else:
+            assert compare(literal, {}) is not None
+        return
+    if not proof.clause.body:
+        assert proof.fact.args in base._model.given[proof.fact.indicator]
+        return
+    assert proof.clause in rules and len(proof.premises) == len(proof.clause.body)
+    environment = match(proof.clause.head, proof.fact, {})
+    for condition, premise in zip(proof.clause.body, proof.premises):
+        assert condition.negated == premise.literal.negated
+        if not condition.is_strict and not condition.is_comparison:
+            environment = match(condition.atom, premise.fact, environment)
+            assert environment is not None
+        check(premise, base, rules)
+
+
+@given(st.randoms(use_true_random=False))
+def test_every_proof_with_counts_and_sums_checks(rng):
+    base = base_of(random_program(rng))
+    rules = {rule for found in base._model.program.rules.values() for rule in found}
+    for name, arity in DERIVED.items():
+        for row in base.stored((name, arity)):
+            check(base.why((name, *row)), base, rules)
+
+
+@given(st.randoms(use_true_random=False))
+def test_what_is_refused_is_refused_for_a_reason_that_holds(rng):
+    base = base_of(random_program(rng))
+    for name, arity in DERIVED.items():
+        relation = base.stored((name, arity))
+        for row in [(rng.choice([0, 1, 2]),) * arity for _ in range(3)]:
+            refusal = base.why_not((name, *row))
+            truth = base.truth((name, *row))
+            assert (refusal is None) == (truth == "true") == (row in relation)
+            assert refusal is None or bool(refusal.doubt) == (truth == "undefined")
+            assert refusal is None or all(refusal.reasons)
 
 
 HELPERS = """
