@@ -90,10 +90,14 @@ class KnowledgeBase(ClauseStore):
         Raises:
             ProgramError: nothing defines the predicate. BudgetExceeded: the answer is unknown.
         """
-        try:
-            return "true" if self.ask(statement) else "false"
-        except Undefined:
-            return "undefined"
+        atom = self._statement(statement)
+        self.check_known(atom.indicator)
+        truth = "false"
+        for solution in self.solver().possible([Literal(atom)]):
+            if DOUBT not in solution:
+                return "true"
+            truth = "undefined"
+        return truth
 
     def _index(self, model: Model) -> None:
         """One set of every stored statement that holds, where there are not too many: the fast way to a yes."""

@@ -20,7 +20,8 @@ from casper.kb.terms.unknown import DOUBT, UNKNOWN, closed, opened
 from casper.kb.text.writer import literal_text
 from casper.kb.top_down.solve import Solver, fresh_numbers, next_ready
 
-MOST_ATOMS = 2_000  # looked at in search of a circle
+SHOWN_AT_ENDS = 4  # conditions at each end of a long way that a sentence names
+MOST_ATOMS = 5_000  # looked at in search of a circle
 MOST_WAYS = 200  # instances of its rules looked at for one atom
 
 
@@ -60,7 +61,7 @@ class Doubt:
         if not self.steps:
             return f"{text}: {self.remark}" if self.remark else text
         last = self.steps[-1]
-        needs = ", which needs ".join(literal_text(step.literal) for step in self.steps)
+        needs = ", which needs ".join(_few([literal_text(step.literal) for step in self.steps]))
         text = f"{text}: it needs {needs}"
         if last.failure:
             shown = ", ".join(map(literal_text, last.body))
@@ -265,6 +266,14 @@ def _failure(literal: Literal) -> str:
     except EvaluationFailed as failure:
         return failure.sentence
     return ""
+
+
+def _few(needs: Sequence[str]) -> Sequence[str]:
+    """A long way by its ends."""
+    if len(needs) <= 2 * SHOWN_AT_ENDS + 1:
+        return needs
+    left_out = len(needs) - 2 * SHOWN_AT_ENDS
+    return [*needs[:SHOWN_AT_ENDS], f"… {left_out} more …", *needs[-SHOWN_AT_ENDS:]]
 
 
 def _shown(atom: Compound, steps: Sequence[Step]) -> str:

@@ -10,6 +10,7 @@ import re
 from typing import Any
 
 COMPARISONS = frozenset({"=", "\\=", "==", "\\==", "<", ">", "=<", ">=", "=:=", "=\\=", "is"})
+_LONG, _AT_ONCE = 13_000, 4_000  # bits from which an integer is written in parts; digits of a part
 _NIL = "[]"  # as `terms.NIL`
 _PLAIN = re.compile(r"[a-z][A-Za-z0-9_]*\Z")
 _ESCAPED = {"\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r", "\0": "\\0"}
@@ -23,7 +24,16 @@ def term_text(term: Any, limit: int = 999) -> str:
         return _compound_text(term, limit)
     if isinstance(term, str):
         return atom_text(term)
-    return str(term)
+    return _digits(term) if isinstance(term, int) and term.bit_length() > _LONG else str(term)
+
+
+def _digits(number: int) -> str:
+    """An integer of more digits than Python writes at once."""
+    parts, rest = [], abs(number)
+    while rest:
+        rest, part = divmod(rest, 10**_AT_ONCE)
+        parts.append(str(part).rjust(_AT_ONCE, "0") if rest else str(part))
+    return ("-" if number < 0 else "") + "".join(reversed(parts))
 
 
 def atom_text(atom: str) -> str:

@@ -135,3 +135,12 @@ def test_a_long_chain_of_negations_is_settled_without_alternating_along_it():
     base.rule("win(X) :- move(X, Y), \\+ win(Y)")
     base.facts("move", [(at, at + 1) for at in range(20_000)])
     assert base.ask(("win", 19_999)) and base.ask(("win", 1)) and not base.ask(("win", 0))
+
+
+def test_a_long_circle_is_told_by_its_ends():
+    base = KnowledgeBase()
+    base.rule("win(X) :- move(X, Y), \\+ win(Y)")
+    base.facts("move", [(at, (at + 1) % 300) for at in range(300)])
+    doubt = base.why("win(0)")
+    assert len(doubt.steps) == 300 and doubt.back == 0
+    assert "\\+ win(4), which needs … 292 more …, which needs \\+ win(297)" in doubt.sentence

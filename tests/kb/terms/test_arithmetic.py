@@ -12,6 +12,7 @@ from swi import needs_swi
 
 from casper.kb.terms.arithmetic import FUNCTIONS, MOST_BITS, EvaluationFailed, evaluate
 from casper.kb.terms.comparison import compare
+from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound
 from casper.kb.text.reader import read_query
 
@@ -115,3 +116,10 @@ def test_a_comparison_without_value_neither_holds_nor_fails(condition):
     ((literal,),) = read_query(condition)
     with pytest.raises(EvaluationFailed):
         compare(literal, {})
+
+
+@given(st.integers(1, 4000), st.integers(-9, 9))
+def test_integers_of_any_size_are_written_in_all_their_digits(exponent, last):
+    number = 7 * 10 ** (exponent * 3) + last
+    assert term_text(number) == f"{7 if last >= 0 else 6}{('0' if last >= 0 else '9') * (exponent * 3 - 1)}{number % 10}"
+    assert term_text(-number) == f"-{term_text(number)}"
