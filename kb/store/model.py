@@ -99,8 +99,7 @@ class Model:
         return True
 
     def _recompute(self) -> None:
-        program = Program(**{**self.program.__dict__, "given": self.given})
-        self.relations = materialise(program)
+        self.relations = materialise(replace(self.program, given=self.given))  # type: ignore[arg-type]
 
     def layer(self, computed: Mapping[Indicator, Computed]) -> Model:
         """A model laid over this one: what changes there leaves this one as it is."""
