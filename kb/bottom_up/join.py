@@ -7,9 +7,9 @@ optimiser's (bound columns first); reasons never come from here.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Set
-from typing import Any
 
 from casper.kb.bottom_up.steps import (
+    CONTEXT,
     Binder,
     Emit,
     Environment,
@@ -45,8 +45,9 @@ class Join:
         self, clause: Clause, delta_at: int | None = None, *, bound_head: bool = False, negations: bool = True
     ) -> None:
         self.clause = clause
-        self._slots: Slots = {variable: at for at, variable in enumerate(clause.variables())}
-        self._context: list[Any] = [None, (), None, None, None]  # relations, delta rows, emit, absent, failed
+        self._slots: Slots = {}
+        for variable in clause.variables():
+            self._slots.setdefault(variable, CONTEXT + len(self._slots))
         known = set(variables_of(clause.head)) if bound_head else set()
         body = [
             (x, at, at == delta_at)
@@ -55,7 +56,7 @@ class Join:
         ]
         tested = [_apart(x) for x, _, is_delta in body if is_delta and x.negated and negations]
         for variable in (v for x in tested for v in x.variables()):
-            self._slots.setdefault(variable, len(self._slots))
+            self._slots.setdefault(variable, CONTEXT + len(self._slots))
         self._head = Binder([(c, arg) for c, arg in enumerate(clause.head.args)], NOBODY, self._slots)
         self._step = self._compiled([*body, *((x, -1, False) for x in tested)], known)
 
@@ -83,15 +84,15 @@ class Join:
             absent: where negated ones are; the same when it is None.
             failed: called with what is known of the rule's variables where an evaluation fails.
         """
-        self._context[:] = relations, rows, emit, relations if absent is None else absent, failed
-        self._step([None] * len(self._slots))
+        absent = relations if absent is None else absent
+        self._step([relations, rows, emit, absent, failed, *[None] * len(self._slots)])
 
     def first(
         self, relations: Mapping[Indicator, Relation], failed: Failed | None = None
     ) -> dict[Variable, Term] | None:
         """One solution of the body, or None when there is none; negations see undefined rows as possible."""
-        environment: Environment = [None] * len(self._slots)
-        self._context[:] = relations, (), _stop, Possible(relations), failed
+        context = relations, (), _stop, Possible(relations), failed
+        environment: Environment = [*context, *[None] * len(self._slots)]
         try:
             self._step(environment)
         except _Found:
@@ -101,10 +102,9 @@ class Join:
 
     def derives(self, relations: Mapping[Indicator, Relation], row: Row, failed: Failed | None = None) -> bool:
         """Whether the rule derives this head row (the join was compiled with ``bound_head``)."""
-        environment: Environment = [None] * len(self._slots)
+        environment: Environment = [relations, (), _stop, relations, failed, *[None] * len(self._slots)]
         if not self._head(row, environment):
             return False
-        self._context[:] = relations, (), _stop, relations, failed
         try:
             self._step(environment)
         except _Found:
@@ -112,36 +112,36 @@ class Join:
         return False
 
     def _emit_step(self) -> Step:
-        build, context = row_builder(list(self.clause.head.args), self._slots), self._context
+        build = row_builder(list(self.clause.head.args), self._slots)
 
         def emit(environment: Environment) -> None:
-            context[2](build(environment))
+            environment[2](build(environment))
 
         return emit
 
     def _condition(self, literal: Literal, known: Set[Variable], is_delta: bool, then: Step) -> Step:
         if literal.is_comparison:
-            return comparison_step(literal, known, self._slots, self._context, then)
+            return comparison_step(literal, known, self._slots, then)
         if literal.is_aggregate:
-            return aggregate_step(literal, known, self._slots, self._context, then)
-        indicator, args, context = literal.atom.indicator, literal.atom.args, self._context
+            return aggregate_step(literal, known, self._slots, then)
+        indicator, args = literal.atom.indicator, literal.atom.args
         columns = tuple(c for c, arg in enumerate(args) if set(variables_of(arg)) <= known)
         key = row_builder([args[c] for c in columns], self._slots)
         bind = Binder([(c, arg) for c, arg in enumerate(args) if c not in columns], known, self._slots)
 
         def lookup(environment: Environment) -> None:
-            for row in context[0][indicator].matching(columns, key(environment)):
+            for row in environment[0][indicator].matching(columns, key(environment)):
                 if bind(row, environment):
                     then(environment)
 
         def scan(environment: Environment) -> None:
             wanted = key(environment)
-            for row in context[1]:
+            for row in environment[1]:
                 if tuple([row[c] for c in columns]) == wanted and bind(row, environment):
                     then(environment)
 
         def absent(environment: Environment) -> None:
-            if not any(bind(row, environment) for row in context[3][indicator].matching(columns, key(environment))):
+            if not any(bind(row, environment) for row in environment[3][indicator].matching(columns, key(environment))):
                 then(environment)
 
         return scan if is_delta else absent if literal.negated else lookup

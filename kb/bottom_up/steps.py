@@ -14,22 +14,23 @@ from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify, variables_of
 from casper.kb.terms.unknown import UNKNOWN, may_equal
 
-Environment: TypeAlias = list[Term]
+Environment: TypeAlias = list[Any]  # relations, delta rows, emit, absent, failed; then a value for each slot
+CONTEXT = 5  # entries before the first slot: a join keeps nothing of a run, since several threads may run it
 Step: TypeAlias = Callable[[Environment], None]
 Slots: TypeAlias = dict[Variable, int]
 Emit: TypeAlias = Callable[[Row], None]
 Failed: TypeAlias = Callable[[Bindings], None]
 
 
-def comparison_step(literal: Literal, known: Set[Variable], slots: Slots, context: list[Any], then: Step) -> Step:
-    """A comparison: tested, or a variable bound; where it has no value, ``context`` says whom to tell."""
+def comparison_step(literal: Literal, known: Set[Variable], slots: Slots, then: Step) -> Step:
+    """A comparison: tested, or a variable bound; where it has no value, whoever wants to know is told."""
     before = [(v, slots[v]) for v in literal.variables() if v in known]
     after = [(v, slots[v]) for v in literal.variables() if v not in known]
     everything = [(v, slots[v]) for v in known if v in slots]
 
     def fails(environment: Environment) -> None:
-        if context[4] is not None:
-            context[4]({v: environment[slot] for v, slot in everything})
+        if environment[4] is not None:
+            environment[4]({v: environment[slot] for v, slot in everything})
 
     if literal.atom[0] == "is" and not literal.negated and [v for v, _ in after] == [literal.atom[1]]:
         return _value_step(compiled(literal.atom[2], slots), after[0][1], fails, then)
@@ -80,9 +81,7 @@ def _test_step(holds: Callable[[Environment], bool], fails: Step, then: Step) ->
     return test
 
 
-def aggregate_step(
-    literal: Literal, known: Set[Variable], slots: Slots, context: list[Any], then: Step
-) -> Step:
+def aggregate_step(literal: Literal, known: Set[Variable], slots: Slots, then: Step) -> Step:
     """An aggregate, worked out of the rows that the known columns leave; undefined ones leave it undefined."""
     what, atom, result = literal.atom.args
     columns = tuple(c for c, arg in enumerate(atom.args) if set(variables_of(arg)) <= known)
@@ -95,7 +94,7 @@ def aggregate_step(
     everything = [(v, slots[v]) for v in known if v in slots]
 
     def work_out(environment: Environment) -> None:
-        relation, wanted = context[0][atom.indicator], key(environment)
+        relation, wanted = environment[0][atom.indicator], key(environment)
         if relation.undefined is not None and relation.undefined.matching(columns, wanted):
             return
         bindings = {v: environment[slot] for v, slot in given}
@@ -107,8 +106,8 @@ def aggregate_step(
         try:
             value = aggregate(what, answers)
         except EvaluationFailed:
-            if context[4] is not None:
-                context[4]({v: environment[slot] for v, slot in everything})
+            if environment[4] is not None:
+                environment[4]({v: environment[slot] for v, slot in everything})
             return
         extended = None if value is None else unify(result, value, bindings)
         if extended is not None:
