@@ -9,12 +9,17 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from itertools import islice
+from typing import TYPE_CHECKING, Any, TypeAlias
 
+from casper.kb.errors import BudgetExceeded, Undefined
 from casper.kb.goals.goals import Predicate
-from casper.kb.program.refusals import check_defined, undefined_sentence
+from casper.kb.program.control import plain_query
+from casper.kb.program.refusals import check_computable, check_defined, undefined_sentence
+from casper.kb.reasons.doubt import Doubt, doubt_of
 from casper.kb.reasons.proof import Proof
 from casper.kb.reasons.repair import Repair, repairs
 from casper.kb.reasons.validity import History, Verdict, valid_instances, verify
@@ -22,9 +27,11 @@ from casper.kb.reasons.why import prove
 from casper.kb.reasons.why_not import Refusal, Violation, attempts
 from casper.kb.relations.relation import Row
 from casper.kb.store.clause_store import MOST_INDEXED, NO_HISTORY, ClauseStore, Statement, of_one_moment
-from casper.kb.terms.clauses import SYSTEM, Indicator, Literal
-from casper.kb.terms.terms import Compound, Term, Variable, predication
+from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import is_ground, substitute
+from casper.kb.terms.unknown import DOUBT, closed
 from casper.kb.text.reader import read_query
 from casper.kb.text.triples import triples_text
 from casper.kb.top_down.solve import DEFAULT_BUDGET
@@ -32,6 +39,7 @@ from casper.kb.top_down.solve import DEFAULT_BUDGET
 if TYPE_CHECKING:
     from casper.kb.relations.tables.answers import Answers
 
+Asked: TypeAlias = tuple[tuple[Variable, ...], tuple[Literal, ...]]  # what is asked for, and the conditions
 _query_of_text = lru_cache(maxsize=1024)(read_query)
 
 
@@ -48,6 +56,7 @@ class KnowledgeBase(ClauseStore):
 
         Raises:
             ProgramError: nothing defines the predicate. BudgetExceeded: the answer is unknown.
+            Undefined: it is neither true nor false, with the reason.
         """
         try:
             if statement in self._true:
@@ -76,10 +85,28 @@ class KnowledgeBase(ClauseStore):
                         atom = self._statement(statement)
                         found = atom.args in relation if is_ground(atom) else None
                         break
+                if not found and relation.undefined is not None:
+                    found = None
         if self._begun != ended:  # somebody was half-way through a change: once more, when they are done
             with self.lock:
                 return self._asked(statement)
         return next(self.instances(statement), None) is not None if found is None else found
+
+    @of_one_moment
+    def truth(self, statement: Statement) -> str:
+        """``"true"``, ``"false"`` or ``"undefined"``; with unknown parts, whether it is so for some value.
+
+        Raises:
+            ProgramError: nothing defines the predicate. BudgetExceeded: the answer is unknown.
+        """
+        atom = self._statement(statement)
+        self.check_known(atom.indicator)
+        truth = "false"
+        for solution in self.solver().possible([Literal(atom)]):
+            if DOUBT not in solution:
+                return "true"
+            truth = "undefined"
+        return truth
 
     def _index(self) -> None:
         """One set of every stored statement that holds, where there are not too many: the fast way to a yes."""
@@ -98,6 +125,7 @@ class KnowledgeBase(ClauseStore):
         timeout: float | None = None,
         budget: int = DEFAULT_BUDGET,
         cancelled: Callable[[], bool] | None = None,
+        undefined: bool = False,
     ) -> Iterator[dict[str, Term]]:
         """Answers to a conjunction (``eat(A, T, D), \\+ D = sink``) in any direction, lazily, each once.
 
@@ -109,58 +137,106 @@ class KnowledgeBase(ClauseStore):
             timeout: seconds from the first answer's search on, after which the rest is unknown.
             budget: resolution steps after which the rest is unknown.
             cancelled: asked now and then; when it says True the search stops (a thread's ``event.is_set``, say).
+            undefined: give the answers that are neither true nor false instead.
 
         Raises:
             ReadError, ProgramError, BudgetExceeded.
+            Undefined: after the last true answer, when there are undefined ones.
         """
-        alternatives = _query_of_text(goal)
-        for literal in (x for body in alternatives for x in body):
-            check_defined(literal, self._model.program.clauses)
-        return self._answers(alternatives, limit, timeout, budget, cancelled)
+        alternatives, inner = self._plain_query(goal)
+        answers = self._answers(alternatives, inner, limit, timeout, budget, cancelled, undefined)
+        return ({name: value for name, value in zip(names, row)} for names, row in answers)
+
+    def _plain_query(self, goal: str) -> tuple[list[Asked], dict[Indicator, tuple[Clause, ...]]]:
+        """The alternatives of a query, each with what it asks for, and the clauses of goals inside it."""
+        known: dict[Indicator, tuple[Clause, ...]] = {}
+        alternatives: list[Asked] = []
+        asked = _query_of_text(goal)
+        everyone = dict.fromkeys(v for body in asked for x in body for v in x.variables())
+        for number, written in enumerate(asked):
+            here = {v for x in written for v in x.variables()}
+            named = [v for v in everyone if v in here and not v.name.startswith("_")]
+            bodies, clauses = plain_query(written, f"asked {number} ")
+            alternatives.extend((tuple(named), body) for body in bodies)
+            for clause in clauses:
+                known[clause.head.indicator] = (*known.get(clause.head.indicator, ()), clause)
+        everything = {**self._model.program.clauses, **known} if known else self._model.program.clauses
+        for body in (*(body for _, body in alternatives), *(c.body for found in known.values() for c in found)):
+            for literal in body:
+                check_defined(literal, everything)
+                check_computable(literal)
+        return alternatives, known
 
     def _answers(
         self,
-        alternatives: tuple[tuple[Literal, ...], ...],
+        alternatives: list[Asked],
+        inner: dict[Indicator, tuple[Clause, ...]],
         limit: int | None,
         timeout: float | None,
         budget: int,
         cancelled: Callable[[], bool] | None,
-    ) -> Iterator[dict[str, Term]]:
+        undefined: bool,
+    ) -> Iterator[tuple[list[str], Row]]:
         seen: set[tuple[tuple[Variable, ...], Row]] = set()
-        everyone = dict.fromkeys(v for body in alternatives for x in body for v in x.variables())
+        doubts: dict[tuple[tuple[Variable, ...], Row], str] = {}
         solver = self.solver(budget)
         solver.deadline = None if timeout is None else time.monotonic() + timeout
         solver.cancelled = cancelled
-        for body in alternatives:
-            here = {v for x in body for v in x.variables()}
-            names = tuple([v for v in everyone if v in here and not v.name.startswith("_")])
-            for solution in solver.solve(body):
-                row = tuple(substitute(name, solution) for name in names)
-                if (names, row) not in seen:
-                    if limit is not None and len(seen) >= limit:
+        if inner:
+            solver.clauses = {**solver.clauses, **inner}
+        for variables, body in alternatives:
+            names = [variable.name for variable in variables]
+            for solution in solver.possible(body):
+                answer = variables, tuple(substitute(variable, solution) for variable in variables)
+                if DOUBT in solution:
+                    doubts.setdefault(answer, str(solution[DOUBT]))
+                elif answer not in seen:
+                    if limit is not None and len(seen) >= limit and not undefined:
                         return
-                    seen.add((names, row))
-                    yield {name.name: value for name, value in zip(names, row)}
+                    seen.add(answer)
+                    if not undefined:
+                        yield names, answer[1]
+        left = {answer: doubt for answer, doubt in doubts.items() if answer not in seen}
+        if undefined:
+            yield from (([v.name for v in variables], row) for variables, row in islice(left, limit))
+        elif left and (limit is None or len(seen) < limit):
+            raise Undefined(_undefined_answers(left))
 
     @of_one_moment
     def instances(self, statement: Statement) -> Iterator[Compound]:
-        """Every instance of one atom that holds, lazily, each once; a part that may be anything stays a variable."""
+        """Every instance of one atom that holds, lazily, each once; a part that may be anything stays a variable.
+
+        Raises:
+            Undefined: after the last one, when some other instance is undefined.
+        """
         atom = self._statement(statement)
         self.check_known(atom.indicator)
         seen: set[Compound] = set()
-        for solution in self.solver().solve([Literal(atom)]):
+        doubts: dict[Compound, None] = {}
+        for solution in self.solver().possible([Literal(atom)]):
             instance: Compound = substitute(atom, solution)
-            if instance not in seen:
+            if DOUBT in solution:
+                doubts.setdefault(instance)
+            elif instance not in seen:
                 seen.add(instance)
                 yield instance
+        doubtful = next((instance for instance in doubts if instance not in seen), None)
+        if doubtful is not None:
+            raise Undefined((doubt_of(doubtful, self.solver()) or Doubt(doubtful)).sentence)
 
     @of_one_moment
     def rows(self, name: str, arity: int) -> Iterator[Row]:
-        """The rows of a predicate as tuples of constants; none when it is not defined."""
+        """The rows of a predicate as tuples of constants; none when it is not defined.
+
+        Raises:
+            Undefined: after the last one, when some other row is undefined.
+        """
         if (name, arity) in self._model.program.clauses:
             relation = self.stored((name, arity))
             if relation is not None:
                 yield from list(relation)
+                for row in relation.undefined or ():
+                    raise Undefined(f"{term_text(as_term(Compound((name, *row))))} is undefined")
             else:
                 pattern = Compound([name, *(Variable(f"X{at}") for at in range(arity))])
                 yield from (answer.args for answer in self.instances(pattern) if is_ground(answer))
@@ -186,7 +262,8 @@ class KnowledgeBase(ClauseStore):
         if len(alternatives) == 1 and len(alternatives[0]) == 1:
             [literal] = alternatives[0]
             relation = None if literal.negated or literal.is_comparison else self.stored(literal.atom.indicator)
-            found = None if relation is None else of_stored(literal.atom, relation)
+            settled = relation is not None and relation.undefined is None
+            found = of_stored(literal.atom, relation) if relation is not None and settled else None
             if found is not None:
                 return found
         variables = dict.fromkeys(v.name for body in alternatives for literal in body for v in literal.variables())
@@ -217,16 +294,23 @@ class KnowledgeBase(ClauseStore):
     # --- reasons ---------------------------------------------------------------------------------------------------
 
     @of_one_moment
-    def why(self, statement: Statement) -> Proof | None:
-        """A proof of the statement (of its first instance, where it has unknown parts), or None when it fails."""
+    def why(self, statement: Statement) -> Proof | Doubt | None:
+        """A proof of the statement (of its first instance, where it has unknown parts), or None when it fails.
+
+        Of a statement that is undefined, the circle or the failed evaluation that makes it so.
+        """
         atom = self._statement(statement)
         self.check_known(atom.indicator)
-        if not is_ground(atom):
-            first = next((a for a in self.instances(atom) if is_ground(a)), None)
-            if first is None:
-                return None
-            atom = first
-        return prove(atom, self._model.proofs, self.solver(), self._model.given)
+        try:
+            if not is_ground(atom):
+                first = next((a for a in self.instances(atom) if is_ground(a)), None)
+                if first is None:
+                    return None
+                atom = first
+            proof = prove(atom, self._model.proofs, self.solver(), self._model.given, self._model.program.strata)
+        except Undefined:
+            proof = None
+        return proof or doubt_of(atom, self.solver())
 
     @of_one_moment
     def why_not(self, statement: Statement, history: History = NO_HISTORY) -> Refusal | None:
@@ -244,13 +328,20 @@ class KnowledgeBase(ClauseStore):
         provable = next(self.solver(history=history).solve([Literal(atom)]), None)
         if provable is None:
             tried = tuple(attempts(atom, self._model.program.clauses[atom.indicator], self.solver(history=history)))
-            return Refusal(atom, tried, tuple(self._violations(atom, history) if is_ground(atom) else ()))
-        if next(valid_instances(atom, self.solver(history=history), self._model.constraints), None) is not None:
-            return None
+            doubt = doubt_of(atom, self.solver(history=history))
+            violations = tuple(self._violations(atom, history) if is_ground(atom) else ())
+            return Refusal(atom, tried, violations, doubt="" if doubt is None else doubt.sentence)
+        try:
+            if next(valid_instances(atom, self.solver(history=history), self._model.constraints), None) is not None:
+                return None
+        except Undefined:
+            pass
         return Refusal(atom, (), tuple(self._violations(substitute(atom, provable), history)), provable=True)
 
-    def _violations(self, atom: Compound, history: History) -> Iterator[Violation]:
-        return self._model.constraints.broken_by(atom, self.solver(history=history))
+    def _violations(self, atom: Compound, history: History) -> list[Violation]:
+        """The constraints that are broken; where none is, those that may be."""
+        found = list(self._model.constraints.judged(atom, self.solver(history=history)))
+        return [v for v in found if not v.doubt] or found
 
     def _history(self, history: History) -> History:
         return [(self._statement(statement), seconds) for statement, seconds in history]
@@ -266,9 +357,19 @@ class KnowledgeBase(ClauseStore):
             return Verdict(atom, False, atom, Refusal(atom, undefined=self._undefined(atom.indicator)))
         history = self._history(history)
         verdict = verify(atom, self.solver(history=history), self._model.constraints)
-        if verdict.valid is not False:
+        if verdict.valid is None:
+            return self._with_reason(verdict, history)
+        if verdict.valid:
             return verdict
         return Verdict(atom, False, atom, self.why_not(atom, history))
+
+    def _with_reason(self, verdict: Verdict, history: History) -> Verdict:
+        """An unknown verdict with the whole reason, where the statement itself is undefined."""
+        try:
+            doubt = doubt_of(verdict.statement, self.solver(history=history))
+        except BudgetExceeded:
+            return verdict
+        return verdict if doubt is None else replace(verdict, remark=doubt.sentence)
 
     @of_one_moment
     def repair(self, statement: Statement, history: History = NO_HISTORY, limit: int = 3) -> list[Repair]:
@@ -332,3 +433,11 @@ class KnowledgeBase(ClauseStore):
             return undefined_sentence(indicator, known)
         close = get_close_matches(name, sorted({other for other, _ in known}), n=1)
         return f"there is no action {name}/{arity} here" + (f"; did you mean {close[0]}?" if close else "")
+
+
+def _undefined_answers(left: dict[tuple[tuple[Variable, ...], Row], str]) -> str:
+    """The sentence for answers that are undefined."""
+    (variables, row), reason = next(iter(left.items()))
+    shown = ", ".join(f"{v.name} = {term_text(closed(value))}" for v, value in zip(variables, row)) or "the answer"
+    more = f" and {len(left) - 1} more" if len(left) > 1 else ""
+    return f"{shown}{more} {'are' if more else 'is'} undefined: {reason}"

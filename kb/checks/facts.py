@@ -6,7 +6,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.checks.finding import Finding, error, warning
-from casper.kb.errors import CasperError
+from casper.kb.errors import CasperError, Undefined
+from casper.kb.program.control import is_control, plain_clauses
 from casper.kb.reasons.proof import Proof
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
@@ -28,7 +29,7 @@ def rules_that_give_nothing(
     empty: dict[Indicator, bool] = {}
     for rule in rules:
         needed = [x.atom.indicator for x in rule.body if not x.is_comparison]
-        if rule.place.citation:  # a law stated elsewhere, which need not have cases here
+        if rule.place.citation or any(map(is_control, rule.body)):  # a law stated elsewhere need not have cases here
             continue
         if not needed or any(i in open_ for i in needed):
             continue
@@ -87,7 +88,8 @@ def broken_constraints(
     ``open_`` are predicates that what is not known yet may change such that a broken constraint is no longer so.
     """
     for constraint in constraints:
-        if any(not x.is_comparison and x.atom.indicator in open_ for x in constraint.body):
+        parts = plain_clauses([constraint])
+        if any(x.needed in open_ for part in parts for x in part.body):
             continue
         body = _all_named(constraint)
         try:
@@ -96,12 +98,15 @@ def broken_constraints(
                 facts = _clashing(kb, [substitute(x.atom, dict(values)) for x in body if _looks_up(x)])
                 shown = ", ".join(facts) or ", ".join(literal_text(x) for x in body)
                 yield error(constraint.place, f'the facts break "{constraint.head[1]}": {shown}')
+        except Undefined as doubt:
+            sentence = f'whether the facts break "{constraint.head[1]}" is undefined: {doubt.sentence}'
+            yield warning(constraint.place, sentence)
         except CasperError:
             continue  # it cannot be decided by the facts alone
 
 
 def _looks_up(literal: Literal) -> bool:
-    return not literal.is_comparison and not literal.negated
+    return not literal.is_comparison and not literal.negated and not is_control(literal)
 
 
 def _all_named(constraint: Clause) -> list[Literal]:
@@ -121,7 +126,7 @@ def _clashing(kb: KnowledgeBase, atoms: Sequence[Compound]) -> list[str]:
     found: dict[str, None] = {}
     for atom in atoms:
         proof = kb.why(atom) if is_ground(atom) else None
-        for fact, place in _given(proof):
+        for fact, place in _given(proof if isinstance(proof, Proof) else None):
             found[f"{term_text(as_term(fact))}{place}"] = None
     return list(found)
 

@@ -22,6 +22,7 @@ class Relation:
         self.name, self.arity = name, arity
         self.rows: dict[Row, int] = dict.fromkeys(rows, 0)
         self._indexes: dict[Columns, Index] = {}
+        self.undefined: Relation | None = None  # rows that are neither true nor false; none is an empty relation
         self.touched = 0  # rows handed out by lookups: the measure of work that tests count
 
     def add(self, row: Row, round_: int = 0) -> bool:

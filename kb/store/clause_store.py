@@ -9,13 +9,14 @@ from threading import RLock
 from typing import Any, Concatenate, ParamSpec, Self, TypeAlias, TypeVar
 from weakref import ref
 
-from casper.kb.errors import ProgramError
+from casper.kb.errors import ProgramError, Undefined
+from casper.kb.program.declarations import Moded, declaration, tabled
 from casper.kb.program.refusals import undefined_sentence
 from casper.kb.reasons.validity import History, valid_instances, with_history
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.store.loading import loading
 from casper.kb.store.model import Model
-from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence
+from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence, is_auxiliary
 from casper.kb.terms.origins import FactBlock, Origin, clause_behind
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
@@ -55,6 +56,7 @@ class ClauseStore:
         self._clauses: dict[Clause, None] = dict.fromkeys(clauses)  # in the author's order, each once
         self._bulk: dict[Indicator, dict[Row, Origin]] = {}
         self._dynamic: set[Indicator] = set(dynamic)
+        self._least: dict[Indicator, Moded] = {}
         self._statements: dict[Indicator, None] = {}
         self._cached: Model | None = None
         self._true: set[Statement] = set()  # stored statements that hold, once they are indexed
@@ -85,7 +87,9 @@ class ClauseStore:
         return base
 
     def add(self, sentences: Iterable[Sentence]) -> None:
-        """Add clauses and ``:- dynamic(name/arity).`` declarations; productions are the plan library's, not ours.
+        """Add clauses and declarations (``:- dynamic``, ``table``, ``discontiguous``).
+
+        Productions are the plan library's, not ours.
 
         Raises:
             ProgramError: a directive nobody knows, or a production.
@@ -96,7 +100,9 @@ class ClauseStore:
                 if isinstance(sentence, Clause):
                     self._clauses.setdefault(sentence)
                 elif isinstance(sentence, Directive):
-                    self._dynamic.add(_dynamic(sentence))
+                    declared = declaration(sentence)
+                    self._dynamic.update(declared.dynamic)
+                    self._least.update(declared.least)
                 else:
                     mistake = "a plan (-->) belongs in a plan library, not in a knowledge base"
                     raise ProgramError(mistake, sentence.place)
@@ -139,6 +145,7 @@ class ClauseStore:
     def to_text(self) -> str:
         """The clauses as text that reads in as the same model."""
         declared = [Directive(Compound(("dynamic", Compound(("/", *i))))) for i in sorted(self._dynamic)]
+        declared += [tabled(indicator, moded) for indicator, moded in sorted(self._least.items())]
         return program_text([*declared, *self.clauses])
 
     # --- what if, and change ---------------------------------------------------------------------------------------
@@ -152,7 +159,8 @@ class ClauseStore:
         """
         base = type(self)()
         base._below = self
-        base._clauses, base._dynamic = dict(self._clauses), set(self._dynamic) | set(self._model.program.clauses)
+        base._clauses, base._dynamic = dict(self._clauses), set(self._dynamic) | self._own_predicates()
+        base._least = dict(self._least)
         base._bulk, base._shared, base._statements = dict(self._bulk), set(self._bulk), dict(self._statements)
         base._cached = self._model.layer(base._computed)
         for fact in without:
@@ -245,6 +253,7 @@ class ClauseStore:
                 view = object.__new__(type(self))
                 ClauseStore.__init__(view)
                 view._clauses, view._bulk, view._dynamic = self._clauses, self._bulk, self._dynamic
+                view._least = self._least
                 view._statements, view._cached, view.changes = self._statements, self._model, self.changes
                 view._true, view._index_in, view._view = self._true, None, _frozen
                 self._view = ref(view)
@@ -271,7 +280,7 @@ class ClauseStore:
     def _part(self) -> None:
         """Leave everything to the snapshot that has it, and go on with copies and a layer over the model."""
         self._view = _nobody
-        self._clauses, self._dynamic = dict(self._clauses), set(self._dynamic)
+        self._clauses, self._dynamic, self._least = dict(self._clauses), set(self._dynamic), dict(self._least)
         self._bulk, self._shared, self._statements = dict(self._bulk), set(self._bulk), dict(self._statements)
         if self._cached is not None:
             self._cached = self._cached.apart(self._computed)
@@ -287,7 +296,8 @@ class ClauseStore:
         """By what was stated: what follows is worked out anew where it arrives. A snapshot arrives as a base."""
         with self.lock:
             bulk = {i: {row: _kept(i, row, origin) for row, origin in rows.items()} for i, rows in self._bulk.items()}
-            return _restated, (type(self), tuple(self._clauses), bulk, tuple(self._dynamic), tuple(self._statements))
+            stated = tuple(self._clauses), bulk, tuple(self._dynamic), tuple(self._statements)
+            return _restated, (type(self), *stated, tuple(self._least.items()))
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         """A base that goes its own way; clauses and rows never change, so both have the same."""
@@ -351,7 +361,7 @@ class ClauseStore:
         model = self._cached
         if model is None:
             with self.lock:
-                model = self._cached or Model.of(self._clauses, self._dynamic, self._bulk, self._computed)
+                model = self._cached or Model.of(self._clauses, self._dynamic, self._bulk, self._computed, self._least)
                 self._cached = model
         return model
 
@@ -362,22 +372,40 @@ class ClauseStore:
             patterns = [Compound([n, *(Variable(f"V{i}") for i in range(a))]) for n, a in self._statement_predicates()]
         else:
             patterns = [predication(wanted)] if isinstance(wanted, (str, tuple)) else []  # a number is no statement
+        doubt: Undefined | None = None
         for pattern in patterns:
             if pattern.indicator in self._model.program.clauses:
                 found = valid_instances(pattern, self.solver(), self._model.constraints)
-                yield from (Compound(("valid", as_term(instance))) for instance in found)
+                try:
+                    yield from (Compound(("valid", as_term(instance))) for instance in found)
+                except Undefined as mistake:
+                    doubt = doubt or mistake
+        if doubt is not None:
+            raise doubt
 
     def _broken(self, atom: Compound) -> Iterator[Compound]:
         """The computed relation never/1: the constraints that the facts alone break."""
+        doubts: dict[str, str] = {}
         for violation in self._model.constraints.always:
             answer = Compound(("never", violation.sentence))
             if unify(atom, answer, {}) is not None:
-                yield answer
+                if not violation.doubt:
+                    doubts.pop(violation.sentence, None)
+                    yield answer
+                else:
+                    doubts.setdefault(violation.sentence, str(violation))
+        if doubts:
+            raise Undefined(next(iter(doubts.values())))
+
+    def _own_predicates(self) -> set[Indicator]:
+        """The predicates that are defined, without those that only stand for goals inside clauses."""
+        return {i for i in self._model.program.clauses if not is_auxiliary(i)}
 
     def _statement_predicates(self) -> list[Indicator]:
         """The declared action statements; without a declaration, every stored predicate that has a rule."""
         model = self._model
-        derived = (i for i, found in model.program.clauses.items() if any(c.body for c in found))
+        own = self._own_predicates()
+        derived = (i for i, found in model.program.clauses.items() if i in own and any(c.body for c in found))
         return list(self._statements) or [i for i in derived if i in model.relations]
 
     def _statement(self, statement: Statement) -> Compound:
@@ -411,13 +439,14 @@ def _restated(
     bulk: Mapping[Indicator, Mapping[Row, Origin]],
     dynamic: Iterable[Indicator],
     statements: Iterable[Indicator],
+    least: Iterable[tuple[Indicator, Moded]] = (),
 ) -> S:
     """A knowledge base of what was stated."""
     base = kind()
+    base._least = dict(least)
     base._clauses, base._dynamic, base._statements = dict.fromkeys(clauses), set(dynamic), dict.fromkeys(statements)
     base._bulk = {indicator: dict(rows) for indicator, rows in bulk.items()}
     return base
-
 
 
 def _kept(indicator: Indicator, row: Row, origin: Origin) -> Origin:
@@ -428,14 +457,3 @@ def _kept(indicator: Indicator, row: Row, origin: Origin) -> Origin:
 def _stated(indicator: Indicator, row: Row, origin: Origin) -> Clause:
     """The fact that states a row."""
     return clause_behind(Compound((indicator[0], *row)), origin)
-
-
-def _dynamic(directive: Directive) -> Indicator:
-    """The predicate of a ``:- dynamic(name/arity).`` declaration."""
-    term = directive.term
-    inner = term[1] if term.indicator == ("dynamic", 1) else None
-    if isinstance(inner, Compound) and inner.indicator == ("/", 2):
-        name, arity = inner.args
-        if isinstance(name, str) and isinstance(arity, int) and arity >= 0:
-            return name, arity
-    raise ProgramError(f"the only directive is :- dynamic(name/arity), not {term_text(as_term(term))}", directive.place)

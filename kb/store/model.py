@@ -10,6 +10,7 @@ from casper.kb.bottom_up.heights import least_heights
 from casper.kb.bottom_up.incremental import Change, Maintenance, TooMuch
 from casper.kb.bottom_up.materialise import materialise
 from casper.kb.errors import ProgramError
+from casper.kb.program.declarations import Moded
 from casper.kb.program.program import Program, analyse
 from casper.kb.reasons.validity import Constraints, constraints_of
 from casper.kb.relations.layered import LayeredRelation
@@ -45,13 +46,14 @@ class Model:
         dynamic: Iterable[Indicator],
         bulk: Mapping[Indicator, dict[Row, Origin]],
         computed: Mapping[Indicator, Computed],
+        least: Mapping[Indicator, Moded] | None = None,
     ) -> Model:
         """Analyse and materialise.
 
         Raises:
             ProgramError, BudgetExceeded: see `kb.program.program.analyse` and `kb.bottom_up.materialise.materialise`.
         """
-        program = analyse(clauses, dynamic, bulk)
+        program = analyse(clauses, dynamic, bulk, least)
         try:
             relations = materialise(program)
         except RecursionError:
@@ -70,7 +72,7 @@ class Model:
         A large base that has more than one stratum, or that changed, keeps its rounds as they are: its proofs are
         well-founded, but a shorter one may exist.
         """
-        exact = len(self.program.strata) <= 1 and not self.changed
+        exact = len(self.program.strata) <= 1 and not self.changed and not (self.program.circular or self.program.least)
         if exact or sum(map(len, self.relations.values())) > MOST_EXACT:
             return self.relations
         return least_heights(replace(self.program, given=self.given), self.relations)  # type: ignore[arg-type]
@@ -100,8 +102,7 @@ class Model:
         return True
 
     def _recompute(self) -> None:
-        program = Program(**{**self.program.__dict__, "given": self.given})
-        self.relations = materialise(program)
+        self.relations = materialise(replace(self.program, given=self.given))  # type: ignore[arg-type]
 
     def layer(self, computed: Mapping[Indicator, Computed]) -> Model:
         """A model laid over this one: what changes there leaves this one as it is."""

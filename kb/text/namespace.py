@@ -10,10 +10,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 
 from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Literal, Sentence
+from casper.kb.terms.control import CONTROL
+from casper.kb.terms.syntax import COMPARISONS
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 
 SEPARATOR = ":"
 _ABOUT = (("claim", 1), ("did", 2), ("valid", 1))  # their first argument is a statement
+_COUNTED = (("aggregate_all", 3), ("findall", 3))  # their second argument is a goal
 
 
 def qualified(term: Term) -> Term:
@@ -33,6 +36,17 @@ def qualified(term: Term) -> Term:
     if not isinstance(inner, Compound) or inner.indicator == (SEPARATOR, 2):
         return term
     return Compound((f"{term[1]}{SEPARATOR}{inner.functor}", *inner.args))
+
+
+def goal_of(term: Term) -> Term:
+    """A goal with the prefixes of the conditions in it made part of their names."""
+    if not isinstance(term, Compound):
+        return term
+    if term.indicator in _COUNTED:
+        return Compound((term[0], term[1], goal_of(term[2]), term[3]))
+    if term.indicator in CONTROL or term[0] in (",", ";"):
+        return Compound((term[0], *map(goal_of, term.args)))
+    return qualified(term)
 
 
 def prefixed(sentences: Iterable[Sentence], prefix: str) -> Iterator[Sentence]:
@@ -60,9 +74,23 @@ def _condition(literal: Literal, prefix: str, statements: Collection[Variable]) 
         if not any(arg in statements for arg in atom.args):
             return atom
         return Compound((atom[0], *(_statement(arg, prefix) for arg in atom.args)))
+    return predication(_goal(as_term(atom), prefix))
+
+
+def _goal(term: Term, prefix: str) -> Term:
+    """A goal inside a condition under the prefix: what it is made of has the names, not the control around it."""
+    if not isinstance(term, (str, Compound)):
+        return term
+    atom = predication(term)
+    if atom[0] in COMPARISONS and atom.arity == 2:
+        return atom
+    if atom.indicator in _COUNTED:
+        return Compound((atom[0], atom[1], _goal(atom[2], prefix), atom[3]))
+    if atom.indicator in CONTROL or (atom[0] in (",", ";") and atom.arity):
+        return as_term(Compound((atom[0], *(_goal(part, prefix) for part in atom.args))))
     if atom.indicator in _ABOUT:
         return Compound((atom[0], _statement(atom[1], prefix), *atom[2:]))
-    return _named(atom, prefix)
+    return as_term(_named(atom, prefix))
 
 
 def _statement(term: Term, prefix: str) -> Term:
@@ -76,8 +104,15 @@ def _named(atom: Compound, prefix: str) -> Compound:
 
 
 def _directive(term: Compound, prefix: str) -> Compound:
-    """``dynamic(name/arity)`` under the prefix."""
-    if term.indicator == ("dynamic", 1) and isinstance(term[1], Compound) and term[1].indicator == ("/", 2):
-        name, arity = term[1].args
-        return Compound(("dynamic", Compound(("/", f"{prefix}{SEPARATOR}{name}", arity))))
+    """``dynamic(name/arity)`` or ``table(path(_, _, min))`` under the prefix."""
+    if term.functor in ("table", "discontiguous", "dynamic") and term.arity == 1:
+        return Compound((term[0], _declared(term[1], prefix)))
     return term
+
+
+def _declared(term: Term, prefix: str) -> Term:
+    if isinstance(term, Compound) and term[0] == ",":
+        return Compound((",", *(_declared(part, prefix) for part in term.args)))
+    if isinstance(term, Compound) and term.indicator == ("/", 2):
+        return Compound(("/", f"{prefix}{SEPARATOR}{term[1]}", term[2]))
+    return _named(term, prefix) if isinstance(term, Compound) else term

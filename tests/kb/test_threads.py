@@ -264,4 +264,5 @@ def test_every_snapshot_keeps_the_state_it_was_taken_in(text, sequence, layers):
 
 
 def states(base):
-    return {i: set(base.rows(*i)) for i in INDICATORS}
+    stored = {i: base.stored(i) for i in INDICATORS}
+    return {i: (set(rows), set(rows.undefined or ())) for i, rows in stored.items()}
