@@ -1,0 +1,90 @@
+"""Which predicate is answered how: looked up, resolved with its clauses, tabled, or computed by a built-in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, TypeAlias
+
+from casper.kb.errors import ProgramError
+from casper.kb.program.refusals import undefined_sentence
+from casper.kb.relations.relation import Relation
+from casper.kb.terms.builtins import BUILTINS
+from casper.kb.terms.clauses import SYSTEM, Clause, Indicator
+from casper.kb.terms.terms import Compound
+from casper.kb.top_down.builtins import COMPUTING, CONTROL, library
+from casper.kb.top_down.code import CompiledClause, Procedure
+from casper.kb.top_down.recursion import tabled_of
+
+Computed: TypeAlias = Callable[[Compound], Iterator[Compound]]
+RESOLVED, TABLED, STORED, BUILT_IN, ASKED, CONTROLLED = range(6)
+METHODS = ("clauses", "table", "index", "built-in", "computed", "control")
+
+
+class Link:
+    """How a predicate is answered, and what by."""
+
+    __slots__ = ("how", "what")
+
+    def __init__(self, how: int, what: Any) -> None:
+        self.how, self.what = how, what
+
+
+class Code:
+    """The clauses of a program, compiled when they are first needed.
+
+    Args:
+        clauses: of every predicate that is resolved.
+        tabled: predicates whose calls are tabled; by default all that recur without building terms.
+    """
+
+    def __init__(self, clauses: Mapping[Indicator, Sequence[Clause]], tabled: frozenset[Indicator] | None = None) -> None:
+        self.clauses = clauses
+        self._procedures: dict[Indicator, Procedure] = {}
+        self._tabled = tabled
+
+    @property
+    def tabled(self) -> frozenset[Indicator]:
+        """The predicates whose calls are tabled."""
+        if self._tabled is None:
+            self._tabled = tabled_of(self.clauses)
+        return self._tabled
+
+    def procedure(self, indicator: Indicator) -> Procedure:
+        """The compiled clauses of a predicate."""
+        found = self._procedures.get(indicator)
+        if found is None:
+            clauses = [CompiledClause(clause) for clause in self.clauses[indicator]]
+            found = self._procedures[indicator] = Procedure(clauses, indicator[1])
+        return found
+
+
+class Links(dict[Indicator, Link]):
+    """The link of every predicate a search comes to; a program's own definition wins over a built-in."""
+
+    def __init__(
+        self, relations: Mapping[Indicator, Relation], code: Code, computed: Mapping[Indicator, Computed]
+    ) -> None:
+        super().__init__()
+        self.relations, self.code, self.computed = relations, code, computed
+
+    def __missing__(self, indicator: Indicator) -> Link:
+        found = self[indicator] = self._found(indicator)
+        return found
+
+    def _found(self, indicator: Indicator) -> Link:
+        relation = self.relations.get(indicator)
+        if relation is not None:
+            return Link(STORED, relation)
+        if indicator in self.computed:
+            return Link(ASKED, self.computed[indicator])
+        if indicator in self.code.clauses:
+            return Link(TABLED if indicator in self.code.tabled else RESOLVED, self.code.procedure(indicator))
+        if indicator in CONTROL:
+            return Link(CONTROLLED, CONTROL[indicator])
+        if indicator in COMPUTING:
+            return Link(BUILT_IN, COMPUTING[indicator])
+        if indicator in library():
+            return Link(RESOLVED, library()[indicator])
+        if indicator in SYSTEM:
+            return Link(RESOLVED, Procedure((), indicator[1]))
+        raise ProgramError(undefined_sentence(indicator, (*self.code.clauses, *BUILTINS)))
