@@ -26,7 +26,7 @@ from casper.kb.terms.clauses import SYSTEM, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable, predication
 from casper.kb.terms.unification import is_ground, substitute
 from casper.kb.text.reader import read_query
-from casper.kb.top_down.solve import DEFAULT_BUDGET
+from casper.kb.top_down.search import DEFAULT_BUDGET
 
 _query_of_text = lru_cache(maxsize=1024)(read_query)
 

@@ -16,6 +16,7 @@ from casper.kb.program.listing import unlisted
 from casper.kb.program.refusals import check_bound, check_defined, check_own, checked_constraint
 from casper.kb.program.strata import dependents, levels_of
 from casper.kb.relations.relation import Row
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import DID, NOWHERE, SYSTEM, Clause, Indicator
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import is_ground
@@ -106,7 +107,7 @@ def _split(
     """The strata of the stored predicates, the situational predicates, and all that are answered top-down."""
     levels = levels_of(rules)
     situational = dependents(rules, set(SYSTEM))
-    top_down = situational | unlisted(rules)
+    top_down = situational | unlisted(rules) | dependents(rules, set(BUILTINS - rules.keys()))
     top_down = dependents(rules, top_down) | top_down
     heights = sorted({level for indicator, level in levels.items() if indicator not in top_down})
     strata = tuple(frozenset(i for i, at in levels.items() if at == h and i not in top_down) for h in heights)

@@ -6,6 +6,7 @@ from collections.abc import Collection
 from difflib import get_close_matches
 
 from casper.kb.errors import Place, ProgramError
+from casper.kb.terms.builtins import BUILTINS, CONTROL
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import COMPARISONS
 from casper.kb.terms.unification import variables_of
@@ -14,7 +15,7 @@ from casper.kb.terms.unification import variables_of
 def check_own(indicator: Indicator, place: Place) -> None:
     """Refuse to define what the system defines."""
     name, arity = indicator
-    if indicator in SYSTEM or (name in COMPARISONS and arity == 2):
+    if indicator in SYSTEM or indicator in CONTROL or (name in COMPARISONS and arity == 2):
         sentence = f"{name}/{arity} is defined by the system; choose another name"
         raise ProgramError(sentence, place if place.line else None)
 
@@ -27,7 +28,7 @@ def check_defined(literal: Literal, known: Collection[Indicator]) -> None:
     """
     if literal.is_comparison or literal.atom.indicator in SYSTEM:
         return
-    if literal.atom.indicator not in known:
+    if literal.atom.indicator not in known and literal.atom.indicator not in BUILTINS:
         place = literal.place if literal.place.line else None
         raise ProgramError(undefined_sentence(literal.atom.indicator, known), place)
 

@@ -20,7 +20,7 @@ from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import is_ground
-from casper.kb.top_down.solve import Solver
+from casper.kb.top_down.search import Search
 
 MOST_TRIED = 150  # sets of changes tried out before the search gives up
 LARGEST = 6  # facts in a set
@@ -67,7 +67,7 @@ class Mendable(Protocol):
     def clauses_of(self, indicator: Indicator, /) -> Sequence[Clause]:
         """The clauses of a predicate."""
 
-    def solver(self) -> Solver:
+    def solver(self) -> Search:
         """What proves conditions."""
 
     def why(self, statement: Compound, /) -> Proof | None:

@@ -7,7 +7,7 @@ which only one value does is filled in (what the paper's SWRL rules were for).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
 from casper.kb.bottom_up.join import Join
@@ -19,7 +19,7 @@ from casper.kb.relations.relation import Relation
 from casper.kb.terms.clauses import SITUATION, SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import Bindings, substitute, variables_of
-from casper.kb.top_down.solve import Solver
+from casper.kb.top_down.search import Search
 
 History: TypeAlias = Sequence[tuple[Term, float]]  # what happened earlier: (statement, seconds)
 _FILL_LIMIT = 1000  # instances looked at before a part is given up as open
@@ -54,7 +54,7 @@ class Constraints:
     always: tuple[Violation, ...]
     by_claim: tuple[tuple[Clause, Join | None], ...] = field(default=())  # compiled, where the rows of all it needs are
 
-    def broken_by(self, claim: Compound, solver: Solver) -> Iterator[Violation]:
+    def broken_by(self, claim: Compound, solver: Search) -> Iterator[Violation]:
         """Every constraint that is broken when the statement is claimed; the solver knows what was done before."""
         yield from self.always
         candidates = [(clause, join) for clause, join in self.by_claim if _may_concern(clause, claim)]
@@ -68,7 +68,7 @@ class Constraints:
                 if solution is not None:
                     yield _told(clause, clause.body, solution)
                 continue
-            search = Solver(relations, solver.clauses, solver.computed, solver.budget, floundering_fails=True)
+            search = replace(solver, relations=relations, steps=0, floundering_fails=True)
             violation = _violation(clause, search, open_)
             if violation is not None:
                 yield violation
@@ -101,7 +101,7 @@ class _Overlay(dict[Indicator, Relation]):
 _NOTHING_DONE = Relation("did", 2)
 
 
-def constraints_of(program: Program, solver: Solver) -> Constraints:
+def constraints_of(program: Program, solver: Search) -> Constraints:
     """Sort the constraints: those that need the situation wait for a claim, the others are decided now."""
     by_claim = tuple((c, _compiled(c, program)) for c in program.constraints if _is_situational(c, program))
     static = (c for c in program.constraints if not _is_situational(c, program))
@@ -130,7 +130,7 @@ def _may_concern(clause: Clause, claim: Compound) -> bool:
     return True
 
 
-def _violation(clause: Clause, solver: Solver, open_: tuple[Variable, ...] = ()) -> Violation | None:
+def _violation(clause: Clause, solver: Search, open_: tuple[Variable, ...] = ()) -> Violation | None:
     """The first way the constraint is broken for every value of the claim's open parts, or None."""
     _, body = solver.fresh(clause)
     for solution in solver.solve(body):
@@ -147,7 +147,7 @@ def _told(clause: Clause, body: Sequence[Literal], solution: Bindings) -> Violat
     return Violation(str(clause.head[1]), clause, clash)
 
 
-def valid_instances(statement: Compound, solver: Solver, constraints: Constraints) -> Iterator[Compound]:
+def valid_instances(statement: Compound, solver: Search, constraints: Constraints) -> Iterator[Compound]:
     """Every valid instance of the statement, lazily."""
     seen: set[Compound] = set()
     for solution in solver.solve([Literal(statement)]):
@@ -158,7 +158,7 @@ def valid_instances(statement: Compound, solver: Solver, constraints: Constraint
                 yield instance
 
 
-def verify(statement: Compound, solver: Solver, constraints: Constraints) -> Verdict:
+def verify(statement: Compound, solver: Search, constraints: Constraints) -> Verdict:
     """Judge one statement; an invalid one comes back without its refusal, which `KnowledgeBase.verify` adds.
 
     Unknown is not no: a search that outlives its budget before it finds a valid instance gives ``valid=None``.

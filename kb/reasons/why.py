@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from casper.kb.reasons.proof import Proof
@@ -11,7 +11,7 @@ from casper.kb.relations.relation import Columns, Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, predication
 from casper.kb.terms.unification import substitute, unify
-from casper.kb.top_down.solve import Solver
+from casper.kb.top_down.search import Search
 
 Given: TypeAlias = Mapping[Indicator, Mapping[Row, Clause | None]]  # base facts, with the clause behind each
 
@@ -27,9 +27,12 @@ class _Earlier:
         round_of, before = self.relation.round_of, self.round
         return [row for row in self.relation.matching(columns, key) if round_of(row) < before]
 
+    def __contains__(self, row: object) -> bool:
+        return row in self.relation and self.relation.round_of(row) < self.round  # type: ignore[arg-type]
+
 
 def prove(
-    atom: Compound, relations: Mapping[Indicator, Relation], solver: Solver, given: Given
+    atom: Compound, relations: Mapping[Indicator, Relation], solver: Search, given: Given
 ) -> Proof | None:
     """A proof of a ground atom, its rules tried in the author's order; None when there is none.
 
@@ -55,7 +58,7 @@ def prove(
 
 
 def _stored_proof(
-    goal: Compound, relations: Mapping[Indicator, Relation], solver: Solver, given: Given
+    goal: Compound, relations: Mapping[Indicator, Relation], solver: Search, given: Given
 ) -> Proof:
     """The proof of a stored row, premises first: a loop, because a chain of rules may be longer than Python's stack."""
     steps: dict[Compound, tuple[Clause, tuple[Literal, ...]]] = {}
@@ -77,7 +80,7 @@ def _stored_proof(
 
 
 def _step(
-    atom: Compound, relations: Mapping[Indicator, Relation], solver: Solver, given: Given
+    atom: Compound, relations: Mapping[Indicator, Relation], solver: Search, given: Given
 ) -> tuple[Clause, tuple[Literal, ...]]:
     """The fact or the first rule behind a stored row, with the instance of its body that gives it."""
     facts = given.get(atom.indicator, {})
@@ -87,14 +90,14 @@ def _step(
     for clause in solver.clauses[atom.indicator]:
         needed = {x.atom.indicator for x in clause.body if not x.is_comparison}
         earlier: dict[Indicator, Relation] = {i: _Earlier(relations[i], round_) for i in needed}  # type: ignore[misc]
-        search = Solver(earlier, solver.clauses, solver.computed, solver.budget)
+        search = replace(solver, relations=earlier, steps=0)
         body = next(_instances(atom, clause, search), None) if clause.body else None
         if body is not None:
             return clause, body
     raise AssertionError("every row was derived by a clause from earlier rows")
 
 
-def _instances(atom: Compound, clause: Clause, search: Solver) -> Iterator[tuple[Literal, ...]]:
+def _instances(atom: Compound, clause: Clause, search: Search) -> Iterator[tuple[Literal, ...]]:
     """The instances of the clause's body that hold and give the atom."""
     head, body = search.fresh(clause)
     bindings = unify(head, atom, {})
@@ -109,13 +112,13 @@ def _is_derived(literal: Literal) -> bool:
 
 
 def _literal_proof(
-    literal: Literal, relations: Mapping[Indicator, Relation], solver: Solver, given: Given
+    literal: Literal, relations: Mapping[Indicator, Relation], solver: Search, given: Given
 ) -> Proof | None:
     return prove(literal.atom, relations, solver, given) if _is_derived(literal) else Proof(literal)
 
 
 def _computed_proof(
-    atom: Compound, solver: Solver, relations: Mapping[Indicator, Relation], given: Given
+    atom: Compound, solver: Search, relations: Mapping[Indicator, Relation], given: Given
 ) -> Proof | None:
     """valid(S) rests on the proof of S, and on no constraint being broken; never(S) on the facts as they are."""
     if next(solver.computed[atom.indicator](atom), None) is None:

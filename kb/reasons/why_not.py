@@ -16,7 +16,8 @@ from casper.kb.terms.comparison import compare
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
-from casper.kb.top_down.solve import Solver, next_ready
+from casper.kb.top_down.search import Search
+from casper.kb.top_down.solve import next_ready
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +69,7 @@ class Refusal:
         return "\n".join(self.reasons)
 
 
-def attempts(statement: Compound, clauses: Sequence[Clause], solver: Solver) -> Iterator[Attempt]:
+def attempts(statement: Compound, clauses: Sequence[Clause], solver: Search) -> Iterator[Attempt]:
     """For every rule whose head the statement can be, its nearest attempt; nothing for a statement that holds.
 
     Where the nearest is too far to search for, the first condition that fails stands for it.
@@ -95,7 +96,7 @@ def attempts(statement: Compound, clauses: Sequence[Clause], solver: Solver) -> 
             yield Attempt(clause, ())
 
 
-def settled(clause: Clause, statement: Compound, solver: Solver) -> tuple[Literal, ...] | None:
+def settled(clause: Clause, statement: Compound, solver: Search) -> tuple[Literal, ...] | None:
     """The failing conditions of a clause whose head alone settles every variable: nothing needs to be searched.
 
     Empty where the head does not fit; None where some variable, or a predicate answered top-down, is left to a search.
@@ -120,7 +121,7 @@ def settled(clause: Clause, statement: Compound, solver: Solver) -> tuple[Litera
     return tuple(failed) or None
 
 
-def nearest(body: Sequence[Literal], bindings: Bindings, solver: Solver) -> tuple[Literal, ...]:
+def nearest(body: Sequence[Literal], bindings: Bindings, solver: Search) -> tuple[Literal, ...]:
     """The fewest conditions that must be given up for the rest of the body to hold, instantiated."""
     for allowed in range(len(body) + 1):
         found = next(_give_up(list(body), bindings, allowed, solver), None)
@@ -132,7 +133,7 @@ def nearest(body: Sequence[Literal], bindings: Bindings, solver: Solver) -> tupl
     return tuple(body)
 
 
-def first_failing(body: Sequence[Literal], bindings: Bindings, solver: Solver) -> tuple[Literal, ...]:
+def first_failing(body: Sequence[Literal], bindings: Bindings, solver: Search) -> tuple[Literal, ...]:
     """The first condition, in the author's order, that fails however those before it are satisfied, instantiated."""
     held: list[Literal] = []
     for literal in body:
@@ -145,7 +146,7 @@ def first_failing(body: Sequence[Literal], bindings: Bindings, solver: Solver) -
     return tuple(body)
 
 
-def _fails(literal: Literal, bindings: Bindings, solver: Solver) -> bool:
+def _fails(literal: Literal, bindings: Bindings, solver: Search) -> bool:
     """Whether a condition that was given up does fail; one that only lost what binds it is undecided."""
     if next_ready([literal], bindings) is None:
         return False
@@ -156,7 +157,7 @@ def _fails(literal: Literal, bindings: Bindings, solver: Solver) -> bool:
 
 
 def _give_up(
-    body: list[Literal], bindings: Bindings, allowed: int, solver: Solver
+    body: list[Literal], bindings: Bindings, allowed: int, solver: Search
 ) -> Iterator[tuple[list[Literal], Bindings]]:
     """Ways to satisfy the body but for at most ``allowed`` conditions: those given up, with the bindings."""
     if not body:

@@ -17,7 +17,8 @@ from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import is_ground, unify
 from casper.kb.text.reader import read_statement, read_text
 from casper.kb.text.writer import program_text
-from casper.kb.top_down.solve import DEFAULT_BUDGET, Computed, Solver
+from casper.kb.top_down.linking import Computed
+from casper.kb.top_down.search import DEFAULT_BUDGET, Search
 
 Statement: TypeAlias = str | tuple[Term, ...]  # text, or a Compound / a tuple that starts with the name
 NO_HISTORY: History = ()
@@ -205,10 +206,11 @@ class ClauseStore:
         """The relation of a predicate whose rows are all listed; None for one that is answered top-down."""
         return (self._cached or self._model).relations.get(indicator)
 
-    def solver(self, budget: int = DEFAULT_BUDGET, history: History = NO_HISTORY) -> Solver:
+    def solver(self, budget: int = DEFAULT_BUDGET, history: History = NO_HISTORY) -> Search:
         """A fresh search over everything that holds, after what happened earlier."""
         model = self._model
-        return Solver(with_history(model.relations, history), model.program.clauses, self._computed, budget)
+        relations = with_history(model.relations, history)
+        return Search(relations, model.program.clauses, self._computed, budget, code=model.code)
 
     @property
     def _computed(self) -> Mapping[Indicator, Computed]:

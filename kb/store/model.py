@@ -15,7 +15,8 @@ from casper.kb.reasons.validity import Constraints, constraints_of
 from casper.kb.relations.layered import LayeredRelation
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator
-from casper.kb.top_down.solve import Computed, Solver
+from casper.kb.top_down.linking import Code, Computed
+from casper.kb.top_down.search import Search
 
 MOST_EXACT = 50_000  # rows up to which proofs are of least height whatever happened
 
@@ -58,7 +59,14 @@ class Model:
     @cached_property
     def constraints(self) -> Constraints:
         """The constraints, those that the facts alone decide decided now."""
-        return constraints_of(self.program, Solver(self.relations, self.program.clauses, self.computed))
+        return constraints_of(
+            self.program, Search(self.relations, self.program.clauses, self.computed, code=self.code)
+        )
+
+    @cached_property
+    def code(self) -> Code:
+        """The clauses as searches run them."""
+        return Code(self.program.clauses)
 
     @cached_property
     def proofs(self) -> Mapping[Indicator, Relation]:

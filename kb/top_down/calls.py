@@ -200,7 +200,7 @@ def _any_row(link: Link, args: Iterable[Any], frozen: tuple[Any, ...]) -> bool:
         return frozen in link.what
     trail: list[Cell] = []
     for row in link.what.matching(columns, tuple([frozen[at] for at in columns])):
-        fits = unify(tuple(args), row, trail, 1 << 62)
+        fits = unify(("", *args), ("", *row), trail, 1 << 62)
         undo(trail, 0)
         if fits:
             return True

@@ -14,7 +14,7 @@ from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import is_ground, variables_of
 from casper.kb.top_down.cells import deref
-from casper.kb.top_down.heads import Matcher, matchers
+from casper.kb.top_down.heads import Matcher, instance, is_deep, matchers
 
 Frame: TypeAlias = list[Any]
 Build: TypeAlias = Callable[[Frame], Any]
@@ -131,6 +131,8 @@ def _part(term: Term, slots: Slots) -> Build:
         return itemgetter(slots[term])
     if not isinstance(term, Compound) or is_ground(term):
         return lambda frame: term
+    if is_deep(term):
+        return lambda frame: instance(term, slots, frame)
     if len(term) == 3:
         name, left, right = term[0], _part(term[1], slots), _part(term[2], slots)
         return lambda frame: (name, left(frame), right(frame))

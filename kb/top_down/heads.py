@@ -12,10 +12,11 @@ from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import is_ground
 from casper.kb.top_down.cells import UNBOUND, Trail, deref, occurs, unify
 
+_DEEP = 20
 Frame: TypeAlias = list[Any]
-Matcher: TypeAlias = Callable[[Frame, Trail, int], bool]
 Read: TypeAlias = Callable[[Any, Frame, Trail, int], bool]
 Write: TypeAlias = Callable[[Frame], Any]
+Matcher: TypeAlias = tuple[int, Read]  # the slot of an argument, and what it must agree with
 
 
 def matchers(args: Sequence[Term], slots: dict[Variable, int], set_: set[Variable]) -> tuple[Matcher, ...]:
@@ -31,22 +32,21 @@ def matchers(args: Sequence[Term], slots: dict[Variable, int], set_: set[Variabl
     for at, arg in enumerate(args, 1):
         if isinstance(arg, Variable):
             if slots[arg] != at:
-                found.append(_same(at, slots[arg]))
+                found.append((at, _same(slots[arg])))
         elif not isinstance(arg, Compound):
-            found.append(_constant(at, arg))
+            found.append((at, _constant(arg)))
     for at, arg in enumerate(args, 1):  # terms last: constants fail faster
         if isinstance(arg, Compound):
-            found.append(_argument(at, _reader(arg, slots, known)[0]))
+            found.append((at, _reader(arg, slots, known)[0]))
     return tuple(found)
 
 
-def _same(at: int, other: int) -> Matcher:
-    return lambda frame, trail, top: unify(frame[at], frame[other], trail, top)
+def _same(other: int) -> Read:
+    return lambda value, frame, trail, top: unify(value, frame[other], trail, top)
 
 
-def _constant(at: int, constant: Term) -> Matcher:
-    def match(frame: Frame, trail: Trail, top: int) -> bool:
-        value = frame[at]
+def _constant(constant: Term) -> Read:
+    def read(value: Any, frame: Frame, trail: Trail, top: int) -> bool:
         while type(value) is list:
             below = value[0]
             if below is UNBOUND:
@@ -57,11 +57,7 @@ def _constant(at: int, constant: Term) -> Matcher:
             value = below
         return bool(value == constant)
 
-    return match
-
-
-def _argument(at: int, read: Read) -> Matcher:
-    return lambda frame, trail, top: read(frame[at], frame, trail, top)
+    return read
 
 
 def _reader(term: Term, slots: dict[Variable, int], known: set[Variable]) -> tuple[Read, Write]:
@@ -72,9 +68,47 @@ def _reader(term: Term, slots: dict[Variable, int], known: set[Variable]) -> tup
             return (lambda value, frame, trail, top: unify(frame[slot], value, trail, top)), (lambda frame: frame[slot])
         known.add(term)
         return _setter(slot)
-    if not isinstance(term, Compound) or is_ground(term):
+    if not isinstance(term, Compound):
+        return _constant(term), (lambda frame: term)
+    if is_ground(term):
         return (lambda value, frame, trail, top: unify(term, value, trail, top)), (lambda frame: term)
+    if is_deep(term):
+        return _deep(term, slots, known)
     return _structure(term, slots, known)
+
+
+def is_deep(term: Term) -> bool:
+    """Whether a term is nested further than closures within closures should be."""
+    for _ in range(_DEEP):
+        if not isinstance(term, Compound):
+            return False
+        term = term[-1]
+    return True
+
+
+def instance(term: Term, slots: dict[Variable, int], frame: Frame) -> Any:
+    """A term with its variables as a frame has them; a loop along last arguments, for a list is as deep as it is long."""
+    spine: list[list[Any]] = []
+    while isinstance(term, Compound):
+        spine.append([instance(p, slots, frame) if isinstance(p, (Compound, Variable)) else p for p in term[:-1]])
+        term = term[-1]
+    value: Any = frame[slots[term]] if isinstance(term, Variable) else term
+    for parts in reversed(spine):
+        parts.append(value)
+        value = tuple(parts)
+    return value
+
+
+def _deep(term: Compound, slots: dict[Variable, int], known: set[Variable]) -> tuple[Read, Write]:
+    new = tuple(slots[v] for v in dict.fromkeys(_variables(term)) if v not in known)
+    known.update(_variables(term))
+
+    def write(frame: Frame) -> Any:
+        for slot in new:
+            frame[slot] = [UNBOUND, frame[0]]
+        return instance(term, slots, frame)
+
+    return (lambda value, frame, trail, top: unify(write(frame), value, trail, top)), write
 
 
 def _setter(slot: int) -> tuple[Read, Write]:
@@ -103,7 +137,7 @@ def _structure(term: Compound, slots: dict[Variable, int], known: set[Variable])
             read, write = _reader(part, slots, known)
             others.append((at, read))
         writes.append(write)
-    build = _built(name, writes)
+    build = _pair(term, [slots[v] for v in term.args], firsts) if _is_pair(term) else _built(name, writes)
     set_, check, may_hold = tuple(firsts), tuple(others), tuple(risky)
 
     def match(value: Any, frame: Frame, trail: Trail, top: int) -> bool:
@@ -129,6 +163,30 @@ def _structure(term: Compound, slots: dict[Variable, int], known: set[Variable])
         return True
 
     return match, build
+
+
+def _is_pair(term: Compound) -> bool:
+    return len(term) == 3 and all(isinstance(part, Variable) for part in term.args) and term[1] != term[2]
+
+
+def _pair(term: Compound, at: Sequence[int], firsts: Sequence[tuple[int, int]]) -> Write:
+    """How a term of two different variables is built: a list's cell, most often."""
+    name, (left, right) = term[0], at
+    new = tuple(slot for _, slot in firsts)
+    if new == (right,):
+
+        def append(frame: Frame) -> Any:
+            cell = frame[right] = [UNBOUND, frame[0]]
+            return name, frame[left], cell
+
+        return append
+
+    def build(frame: Frame) -> Any:
+        for slot in new:
+            frame[slot] = [UNBOUND, frame[0]]
+        return name, frame[left], frame[right]
+
+    return build
 
 
 def _built(name: Term, writes: Sequence[Write]) -> Write:

@@ -260,8 +260,8 @@ class Machine(Workspace):
                         newest = top
                     frame = [serial, *args, *clause.blank]
                     mark = len(trail)
-                    for match in clause.matchers:
-                        if not match(frame, trail, newest):
+                    for slot, read in clause.matchers:
+                        if not read(frame[slot], frame, trail, newest):
                             if len(trail) > mark:
                                 undo(trail, mark)
                             break
