@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from difflib import get_close_matches
 from functools import lru_cache
 
@@ -24,8 +24,9 @@ from casper.kb.store.clause_store import MOST_INDEXED, NO_HISTORY, ClauseStore, 
 from casper.kb.store.model import Model
 from casper.kb.terms.clauses import SYSTEM, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable, predication
-from casper.kb.terms.unification import is_ground, substitute
+from casper.kb.terms.unification import is_ground, substitute, variables_of
 from casper.kb.text.reader import read_query
+from casper.kb.top_down.cells import variant
 from casper.kb.top_down.search import DEFAULT_BUDGET
 
 _query_of_text = lru_cache(maxsize=1024)(read_query)
@@ -116,7 +117,7 @@ class KnowledgeBase(ClauseStore):
         budget: int,
         cancelled: Callable[[], bool] | None,
     ) -> Iterator[dict[str, Term]]:
-        seen: set[Row] = set()
+        seen: set[Hashable] = set()
         solver = self.solver(budget)
         solver.deadline = None if timeout is None else time.monotonic() + timeout
         solver.cancelled = cancelled
@@ -124,22 +125,25 @@ class KnowledgeBase(ClauseStore):
             names = [v for v in dict.fromkeys(v for x in body for v in x.variables()) if not v.name.startswith("_")]
             for solution in solver.solve(body):
                 row = tuple(substitute(name, solution) for name in names)
-                if row not in seen:
+                key = variant(row)
+                if key not in seen:
                     if limit is not None and len(seen) >= limit:
                         return
-                    seen.add(row)
+                    seen.add(key)
                     yield {name.name: value for name, value in zip(names, row)}
 
     def instances(self, statement: Statement) -> Iterator[Compound]:
         """Every instance of one atom that holds, lazily, each once; a part that may be anything stays a variable."""
         atom = self._statement(statement)
         self.check_known(atom.indicator)
-        seen: set[Compound] = set()
+        seen: set[Hashable] = set()
+        names = list(variables_of(atom))
+        closed = [is_ground(part) for part in atom]  # a long list is not copied for every answer
         for solution in self.solver().solve([Literal(atom)]):
-            instance: Compound = substitute(atom, solution)
-            if instance not in seen:
-                seen.add(instance)
-                yield instance
+            key = variant(substitute(name, solution) for name in names)
+            if key not in seen:
+                seen.add(key)
+                yield Compound([p if is_closed else substitute(p, solution) for p, is_closed in zip(atom, closed)])
 
     def rows(self, name: str, arity: int) -> Iterator[Row]:
         """The rows of a predicate as tuples of constants; none when it is not defined."""

@@ -8,6 +8,7 @@ from typing import TypeAlias
 
 from casper.kb.reasons.proof import Proof
 from casper.kb.relations.relation import Columns, Relation, Row
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, predication
 from casper.kb.terms.unification import substitute, unify
@@ -46,6 +47,9 @@ def prove(
         return _stored_proof(atom, relations, solver, given) if atom.args in relation else None
     if atom.indicator in solver.computed:
         return _computed_proof(atom, solver, relations, given)
+    if atom.indicator in BUILTINS and atom.indicator not in solver.clauses:
+        holds = next(solver.solve([Literal(atom)]), None) is not None
+        return Proof(Literal(atom), None, (), "computed") if holds else None
     for clause in solver.clauses.get(atom.indicator, ()):
         if not clause.body and unify(clause.head, atom, {}) is not None:
             return Proof(Literal(atom), clause)

@@ -11,6 +11,7 @@ from casper.kb.program.refusals import undefined_sentence
 from casper.kb.reasons.validity import History, valid_instances, with_history
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.store.model import Model
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
@@ -199,7 +200,7 @@ class ClauseStore:
         Raises:
             ProgramError: with what may have been meant.
         """
-        if indicator not in SYSTEM and indicator not in self._model.program.clauses:
+        if indicator not in SYSTEM and indicator not in BUILTINS and indicator not in self._model.program.clauses:
             raise ProgramError(undefined_sentence(indicator, self._model.program.clauses))
 
     def stored(self, indicator: Indicator) -> Relation | None:

@@ -13,7 +13,7 @@ from casper.kb.terms.terms import Compound
 from casper.kb.top_down.builtins.control import REFUTED
 from casper.kb.top_down.cells import Cell, deref, freeze, frozen_is_ground, inward, outward, thaw, undo, unify, variant
 from casper.kb.top_down.code import CALL, NEGATE, STOP, Frame, Node, Procedure
-from casper.kb.top_down.engine import NEGATION, Workspace
+from casper.kb.top_down.engine import Workspace
 from casper.kb.top_down.goals import State, goal_state, joined, next_branch, node_for
 from casper.kb.top_down.linking import ASKED, BUILT_IN, STORED, TABLED, Link
 from casper.kb.top_down.readiness import UNDECIDED, closed, floundering, later
@@ -181,15 +181,12 @@ def negated(work: Workspace, node: Node, frame: Frame, strand: Strand) -> State 
     if goal in work.verdicts:
         verdict = work.verdicts[goal]
         return None if verdict else (node.next, frame, None, strand.certain and verdict is False)
-    place = work.in_progress.get(goal)
+    place = work.in_progress.get(goal, work.open.get(goal))
     if place is not None:
         engine = work.engines[-1]
         engine.low = min(engine.low, place)
         return node.next, frame, None, False
-    cells: dict[Any, Cell] = {}
-    inner = node_for(CALL, *node.key, Node(STOP, node.key, _nothing, None, NEGATION))
-    inner.build = lambda refuted: tuple(refuted[1:])
-    work.push(goal, Strand(inner, [0, *(thaw(arg, cells) for arg in frozen)], None), strand)
+    work.refute(goal, frozen, strand)
     return NESTED
 
 

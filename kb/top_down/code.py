@@ -36,10 +36,11 @@ class Node:
         sink: of a STOP, whose answer it is.
     """
 
-    __slots__ = ("build", "key", "kind", "literal", "next", "orders", "own", "sink")
+    __slots__ = ("build", "key", "kind", "literal", "negated", "next", "orders", "own", "sink")
 
     def __init__(self, kind: int, key: Indicator, build: Build, literal: Literal | None = None, sink: Any = None) -> None:
         self.kind, self.key, self.build, self.literal, self.sink = kind, key, build, literal, sink
+        self.negated = literal is not None and literal.negated
         self.next: Node | None = None
         self.own: tuple[int, ...] = ()
         self.orders: dict[int, Node] = {}

@@ -197,7 +197,7 @@ class Machine(Workspace):
                         continue
                 elif kind == COMPARE:
                     pair = node.build(frame)
-                    if node.key[0] == "=" and not node.literal.negated:  # type: ignore[union-attr]
+                    if node.key[0] == "=" and not node.negated:
                         if unify(pair[0], pair[1], trail, top):
                             node = node.next
                         else:

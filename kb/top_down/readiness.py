@@ -30,8 +30,7 @@ def compared(node: Node, pair: tuple[Any, Any], trail: Trail, top: int) -> bool 
         Undefined: it has no value.
     """
     left, right = deref(pair[0]), deref(pair[1])
-    negated = node.literal is not None and node.literal.negated
-    operator = node.key[0]
+    negated, operator = node.negated, node.key[0]
     if operator == "is" and not negated:
         value = _quick(right)
         if value is not None:
@@ -86,8 +85,7 @@ def is_ready(node: Node, frame: Frame, links: Links) -> bool:
             return bool(link.what.ready(*map(deref, args)))
         return link.how != CONTROLLED or _control_is_ready(link.what, args, links)
     if node.kind == COMPARE:
-        negated = node.literal is not None and node.literal.negated
-        return _comparable(node.key[0], negated, args)
+        return _comparable(node.key[0], node.negated, args)
     return closed(node, frame, args) is not None
 
 
@@ -139,7 +137,7 @@ def floundering(node: Node, frame: Frame) -> ProgramError:
     args = tuple(outward(freeze(arg, names)) for arg in node.build(frame))
     if literal is not None:
         args = literal.atom.args if not names else _named(literal, args)
-    shown = Literal(Compound((node.key[0], *args)), literal is not None and literal.negated)
+    shown = Literal(Compound((node.key[0], *args)), node.negated)
     place = literal.place if literal is not None and literal.place.line else None
     return ProgramError(f"{literal_text(shown)} cannot be decided: bind its variables by a condition before it", place)
 

@@ -15,8 +15,8 @@ from casper.kb.errors import BudgetExceeded, Undefined
 from casper.kb.relations.relation import Relation
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable
-from casper.kb.terms.unification import Bindings, renamed, substitute
-from casper.kb.top_down.cells import UNBOUND, Cell, freeze, fresh_variable, inward, outward
+from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute, unify
+from casper.kb.top_down.cells import Cell, deref, freeze, fresh_variable, inward, outward
 from casper.kb.top_down.code import STOP, Frame, Node, Slots, linked, node_of
 from casper.kb.top_down.engine import ROOT
 from casper.kb.top_down.linking import Code, Computed, Links
@@ -88,7 +88,9 @@ class Search:
         own = {id(cell): variable for variable, cell in cells.items()}
         try:
             for answer, certain in machine.answers(chain, frame):
-                yield _extended(given, names, answer, own, frame), certain
+                holes = _named(names, given, answer, own, frame)
+                yield _extended(given, names, answer, holes), certain
+                self.steps += len(holes) // 4  # an answer with many open parts is work, too
         except RecursionError:
             raise BudgetExceeded("the search met a term that is nested too deeply: the answer is unknown") from None
         if machine.doubtful:
@@ -140,17 +142,22 @@ def _nothing(_: Frame) -> tuple[Term, ...]:
     return ()
 
 
-def _extended(
-    given: Bindings, names: Sequence[Variable], answer: Frame, own: dict[int, Variable], asked: Frame
-) -> Bindings:
-    """The bindings with what an answer says of the names; what stays open keeps the asker's variables."""
-    holes: dict[int, Variable] = {}
+def _named(
+    names: Sequence[Variable], given: Bindings, answer: Frame, own: dict[int, Variable], asked: Frame
+) -> dict[int, Variable]:
+    """What an answer's open cells are called: those of the asker by the asker's variables."""
     if answer is asked:
-        holes.update(own)
-    else:  # the answer comes from a copy: its cells are others
-        for name, cell in zip(names, answer[1:]):
-            if name not in given and type(cell) is list and cell[0] is UNBOUND:
-                holes.setdefault(id(cell), name)
+        return dict(own)
+    holes: dict[int, Variable] = {}  # the answer comes from a copy: its cells are others
+    for name, cell in zip(names, answer[1:]):
+        cell = deref(cell)
+        if name not in given and type(cell) is list:
+            holes.setdefault(id(cell), name)
+    return holes
+
+
+def _extended(given: Bindings, names: Sequence[Variable], answer: Frame, holes: dict[int, Variable]) -> Bindings:
+    """The bindings with what an answer says of the names; what stays open keeps the asker's variables."""
     found = dict(given)
     for name, value in zip(names, answer[1:]):
         if type(value) is list or type(value) is tuple:
@@ -158,15 +165,13 @@ def _extended(
         if name not in given:
             if value is not name:
                 found[name] = value
-        else:
-            _bind(given, name, value, found)
+        elif not is_ground(given[name]):
+            _bind(name, value, found)
     return found
 
 
-def _bind(given: Bindings, name: Variable, value: Term, found: Bindings) -> None:
+def _bind(name: Variable, value: Term, found: Bindings) -> None:
     """Carry what an answer says of a name that had a value with variables down to those variables."""
-    from casper.kb.terms.unification import unify
-
     extended = unify(name, value, found)
     if extended is not None:
         found.update(extended)
