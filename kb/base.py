@@ -59,7 +59,7 @@ class KnowledgeBase(ClauseStore):
                 self._index(model)
         if isinstance(statement, str):
             statement = self._statement(statement)
-        relation = model.relations.get((statement[0], len(statement) - 1))
+        relation = model.at_hand.get((statement[0], len(statement) - 1))
         if relation is not None:
             row = statement[1:]
             if row in relation:
@@ -77,8 +77,8 @@ class KnowledgeBase(ClauseStore):
     def _index(self, model: Model) -> None:
         """One set of every stored statement that holds, where there are not too many: the fast way to a yes."""
         self._index_in = None
-        if sum(map(len, model.relations.values())) <= MOST_INDEXED:
-            stored = model.relations.items()
+        if model.listed is not None and sum(map(len, model.listed.values())) <= MOST_INDEXED:
+            stored = model.listed.items()
             self._true = {(name, *row) for (name, _), relation in stored for row in relation}
 
     def query(
@@ -148,7 +148,7 @@ class KnowledgeBase(ClauseStore):
     def rows(self, name: str, arity: int) -> Iterator[Row]:
         """The rows of a predicate as tuples of constants; none when it is not defined."""
         if (name, arity) in self._model.program.clauses:
-            relation = self.stored((name, arity))
+            relation = self._model.relations.get((name, arity))
             if relation is not None:
                 yield from list(relation)
             else:

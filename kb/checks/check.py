@@ -100,6 +100,8 @@ def _dynamic(sentences: Iterable[Sentence]) -> tuple[set[Indicator], list[Findin
             else:
                 name = sentence.term[1]
                 assert isinstance(name, Compound)
+                if sentence.term.functor != "dynamic":
+                    continue
                 declared.add((str(name[1]), int(name[2])))
     return declared, findings
 

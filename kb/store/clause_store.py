@@ -8,7 +8,7 @@ from typing import Self, TypeAlias
 
 from casper.kb.errors import ProgramError
 from casper.kb.program.refusals import undefined_sentence
-from casper.kb.reasons.validity import History, valid_instances, with_history
+from casper.kb.reasons.validity import History, valid_instances
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.store.model import Model
 from casper.kb.terms.builtins import BUILTINS
@@ -35,6 +35,7 @@ class ClauseStore:
         self._clauses: dict[Clause, None] = dict.fromkeys(clauses)  # in the author's order, each once
         self._bulk: dict[Indicator, dict[Row, None]] = {}
         self._dynamic: set[Indicator] = set(dynamic)
+        self._stored: set[Indicator] = set()  # whose rows are to be listed, however many
         self._statements: dict[Indicator, None] = {}
         self._cached: Model | None = None
         self._true: set[Statement] = set()  # stored statements that hold, once they are indexed
@@ -66,7 +67,8 @@ class ClauseStore:
             if isinstance(sentence, Clause):
                 self._clauses.setdefault(sentence)
             elif isinstance(sentence, Directive):
-                self._dynamic.add(_dynamic(sentence))
+                name, indicator = _declared(sentence)
+                (self._dynamic if name == "dynamic" else self._stored).add(indicator)
             else:
                 raise ProgramError("a plan (-->) belongs in a plan library, not in a knowledge base", sentence.place)
 
@@ -105,7 +107,8 @@ class ClauseStore:
 
     def to_text(self) -> str:
         """The clauses as text that reads in as the same model."""
-        declared = [Directive(Compound(("dynamic", Compound(("/", *i))))) for i in sorted(self._dynamic)]
+        kinds = (("dynamic", self._dynamic), ("stored", self._stored))
+        declared = [Directive(Compound((kind, Compound(("/", *i))))) for kind, found in kinds for i in sorted(found)]
         return program_text([*declared, *self.clauses])
 
     # --- what if, and change ---------------------------------------------------------------------------------------
@@ -116,6 +119,7 @@ class ClauseStore:
         It is an overlay: only what follows from the assumption is worked out, and it is dropped with the object.
         """
         base = type(self)()
+        base._stored = set(self._stored)
         base._clauses, base._dynamic = dict(self._clauses), set(self._dynamic) | set(self._model.program.clauses)
         base._bulk, base._statements = {i: dict(rows) for i, rows in self._bulk.items()}, dict(self._statements)
         base._cached = self._model.layer(base._computed)
@@ -204,14 +208,12 @@ class ClauseStore:
             raise ProgramError(undefined_sentence(indicator, self._model.program.clauses))
 
     def stored(self, indicator: Indicator) -> Relation | None:
-        """The relation of a predicate whose rows are all listed; None for one that is answered top-down."""
-        return (self._cached or self._model).relations.get(indicator)
+        """The relation of a predicate whose rows are all at hand; None for one that is answered top-down for now."""
+        return (self._cached or self._model).at_hand.get(indicator)
 
     def solver(self, budget: int = DEFAULT_BUDGET, history: History = NO_HISTORY) -> Search:
         """A fresh search over everything that holds, after what happened earlier."""
-        model = self._model
-        relations = with_history(model.relations, history)
-        return Search(relations, model.program.clauses, self._computed, budget, code=model.code)
+        return self._model.search(history, budget)
 
     @property
     def _computed(self) -> Mapping[Indicator, Computed]:
@@ -225,7 +227,7 @@ class ClauseStore:
     @property
     def _model(self) -> Model:
         if self._cached is None:
-            self._cached = Model.of(self._clauses, self._dynamic, self._bulk, self._computed)
+            self._cached = Model.of(self._clauses, self._dynamic, self._bulk, self._computed, self._stored)
         return self._cached
 
     def _valid(self, atom: Compound) -> Iterator[Compound]:
@@ -251,7 +253,7 @@ class ClauseStore:
         """The declared action statements; without a declaration, every stored predicate that has a rule."""
         model = self._model
         derived = (i for i, found in model.program.clauses.items() if any(c.body for c in found))
-        return list(self._statements) or [i for i in derived if i in model.relations]
+        return list(self._statements) or [i for i in derived if model.keeps(i)]
 
     def _statement(self, statement: Statement) -> Compound:
         return _statement_of_text(statement) if isinstance(statement, str) else predication(statement)
@@ -263,13 +265,12 @@ class ClauseStore:
         return f"<{type(self).__name__}: {len(self._clauses)} clauses>"
 
 
-
-def _dynamic(directive: Directive) -> Indicator:
-    """The predicate of a ``:- dynamic(name/arity).`` declaration."""
+def _declared(directive: Directive) -> tuple[str, Indicator]:
+    """What a ``:- dynamic(name/arity).`` or ``:- stored(name/arity).`` declares, and of which predicate."""
     term = directive.term
-    inner = term[1] if term.indicator == ("dynamic", 1) else None
+    inner = term[1] if term.indicator in (("dynamic", 1), ("stored", 1)) else None
     if isinstance(inner, Compound) and inner.indicator == ("/", 2):
         name, arity = inner.args
         if isinstance(name, str) and isinstance(arity, int) and arity >= 0:
-            return name, arity
+            return term.functor, (name, arity)
     raise ProgramError(f"the only directive is :- dynamic(name/arity), not {term_text(as_term(term))}", directive.place)

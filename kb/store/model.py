@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, MutableMapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, MutableMapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -11,12 +11,13 @@ from casper.kb.bottom_up.incremental import Change, Maintenance, TooMuch
 from casper.kb.bottom_up.materialise import materialise
 from casper.kb.errors import ProgramError
 from casper.kb.program.program import Program, analyse
-from casper.kb.reasons.validity import Constraints, constraints_of
+from casper.kb.reasons.validity import Constraints, History, constraints_of, with_history
 from casper.kb.relations.layered import LayeredRelation
 from casper.kb.relations.relation import Relation, Row
+from casper.kb.store.on_demand import check_storable, code_of, facts_key, facts_of, index, is_large, listed_of
 from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.top_down.linking import Code, Computed
-from casper.kb.top_down.search import Search
+from casper.kb.top_down.search import DEFAULT_BUDGET, Search
 
 MOST_EXACT = 50_000  # rows up to which proofs are of least height whatever happened
 
@@ -30,9 +31,10 @@ class Model:
 
     program: Program
     given: Mapping[Indicator, MutableMapping[Row, Clause | None]]
-    relations: MutableMapping[Indicator, Relation]
+    facts: MutableMapping[Indicator, Relation]  # all that is at hand until the rows of the rules are listed
     computed: Mapping[Indicator, Computed]
     maintenance: Maintenance
+    listed: MutableMapping[Indicator, Relation] | None = None
     changed: bool = False
     round: int = 1 << 40  # of the next change; later than any round of a fixpoint
 
@@ -43,30 +45,61 @@ class Model:
         dynamic: Iterable[Indicator],
         bulk: Mapping[Indicator, Iterable[Row]],
         computed: Mapping[Indicator, Computed],
+        stored: Collection[Indicator] = (),
     ) -> Model:
-        """Analyse and materialise.
+        """Analyse, and list what follows from the facts where they are few, or where a ``stored`` predicate wants it.
 
         Raises:
             ProgramError, BudgetExceeded: see `kb.program.program.analyse` and `kb.bottom_up.materialise.materialise`.
         """
         program = analyse(clauses, dynamic, bulk)
-        try:
-            relations = materialise(program)
-        except RecursionError:
-            raise ProgramError("the facts hold a term that is nested too deeply") from None
-        return cls(program, program.given, relations, computed, Maintenance(program))
+        for indicator in stored:
+            check_storable(program, indicator)
+        model = cls(program, program.given, {}, computed, Maintenance(program))
+        if is_large(program) and not listed_of(program) & set(stored):
+            model.facts = facts_of(program)
+            index(program, model.facts)
+        else:
+            _ = model.relations
+        return model
+
+    @property
+    def relations(self) -> MutableMapping[Indicator, Relation]:
+        """The rows of everything that can be listed; worked out when they are first asked for."""
+        if self.listed is None:
+            try:
+                self.listed = materialise(replace(self.program, given=self.given))  # type: ignore[arg-type]
+            except RecursionError:
+                raise ProgramError("the facts hold a term that is nested too deeply") from None
+            self.facts = {}
+        return self.listed
+
+    @property
+    def at_hand(self) -> MutableMapping[Indicator, Relation]:
+        """The rows that are there now."""
+        return self.facts if self.listed is None else self.listed
+
+    def search(self, history: History = (), budget: int = DEFAULT_BUDGET) -> Search:
+        """A fresh search over what is at hand."""
+        code = self.code if self.listed is not None else self.demand_code
+        return Search(with_history(self.at_hand, history), code.clauses, self.computed, budget, code=code)
 
     @cached_property
     def constraints(self) -> Constraints:
         """The constraints, those that the facts alone decide decided now."""
-        return constraints_of(
-            self.program, Search(self.relations, self.program.clauses, self.computed, code=self.code)
-        )
+        if self.program.constraints:
+            _ = self.relations
+        return constraints_of(self.program, self.search())
 
     @cached_property
     def code(self) -> Code:
-        """The clauses as searches run them."""
+        """The clauses as searches run them over listed rows."""
         return Code(self.program.clauses)
+
+    @cached_property
+    def demand_code(self) -> Code:
+        """The clauses as searches run them while only the facts are at hand."""
+        return code_of(self.program, self.facts)
 
     @cached_property
     def proofs(self) -> Mapping[Indicator, Relation]:
@@ -82,7 +115,7 @@ class Model:
 
     def keeps(self, indicator: Indicator) -> bool:
         """Whether facts of the predicate can come and go without a new analysis."""
-        return indicator in self.relations
+        return indicator in self.program.rules and indicator not in self.program.top_down
 
     def change(self, indicator: Indicator, row: Row, clause: Clause | None, *, add: bool) -> bool:
         """Give or take back a base fact and bring the rows in step; False when it changes nothing."""
@@ -96,22 +129,27 @@ class Model:
         self.changed = True
         self.__dict__.pop("constraints", None)
         self.__dict__.pop("proofs", None)
+        if self.listed is None:
+            facts = self.facts[facts_key(self.program, indicator)]
+            return facts.add(row) if add else facts.remove(row)
         here: Change = {indicator: {row: None}}
         try:
             added, removed = (here, {}) if add else ({}, here)
-            self.round = self.maintenance.update(self.given, self.relations, added, removed, self.round)
+            self.round = self.maintenance.update(self.given, self.listed, added, removed, self.round)
         except TooMuch:
             self._recompute()
         return True
 
     def _recompute(self) -> None:
         program = Program(**{**self.program.__dict__, "given": self.given})
-        self.relations = materialise(program)
+        self.listed = materialise(program)
 
     def layer(self, computed: Mapping[Indicator, Computed]) -> Model:
         """A model laid over this one: what changes there leaves this one as it is."""
-        given, relations = _Layers(self.given, _GivenLayer), _Layers(self.relations, LayeredRelation)
-        return Model(self.program, given, relations, computed, self.maintenance, self.changed, self.round)
+        facts = _Layers(self.facts, LayeredRelation)
+        listed = None if self.listed is None else _Layers(self.listed, LayeredRelation)
+        given = _Layers(self.given, _GivenLayer)
+        return Model(self.program, given, facts, computed, self.maintenance, listed, self.changed, self.round)
 
 
 class _Layers(dict):  # type: ignore[type-arg]

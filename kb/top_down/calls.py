@@ -103,7 +103,7 @@ def _tabled(
         cells: dict[Any, Cell] = {}
         fresh = tuple([thaw(arg, cells) for arg in frozen])
         sink: Cont = (Node(STOP, key, _nothing, None, table), [0, *fresh], None)
-        engine.queue.append(Strand.of(Choice(0, 0, True, CLAUSES, procedure.candidates(fresh), 0, fresh, sink)))
+        engine.queue.append(Strand.of(Choice(0, 0, True, CLAUSES, procedure.fitting(fresh).candidates(fresh), 0, fresh, sink)))
     engine.queue.append(Consumer(table, cont, args, strand.certain).strand())
 
 

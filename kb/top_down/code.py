@@ -19,6 +19,7 @@ from casper.kb.top_down.heads import Matcher, instance, is_deep, matchers
 Frame: TypeAlias = list[Any]
 Build: TypeAlias = Callable[[Frame], Any]
 Slots: TypeAlias = dict[Variable, int]
+Pattern: TypeAlias = tuple[bool, ...]  # which arguments are known
 
 CALL, COMPARE, NEGATE, STOP = range(4)
 
@@ -144,15 +145,27 @@ def _part(term: Term, slots: Slots) -> Build:
 class Procedure:
     """The clauses of one predicate, found by what their first argument can be."""
 
-    __slots__ = ("all", "constants", "open", "structures")
+    __slots__ = ("all", "constants", "fitted", "open", "patterns", "structures")
 
     def __init__(self, clauses: Sequence[CompiledClause], arity: int) -> None:
+        self.fitted: Callable[[Pattern], Procedure] | None = None  # the same with bodies ordered for what is known
+        self.patterns: dict[Pattern, Procedure] = {}
         self.all = tuple(clauses)
         self.open: tuple[CompiledClause, ...] = self.all
         self.constants: dict[Term, tuple[CompiledClause, ...]] = {}
         self.structures: dict[Term, tuple[CompiledClause, ...]] = {}
         if arity:
             self._index([clause.clause.head[1] for clause in clauses])
+
+    def fitting(self, args: tuple[Any, ...]) -> Procedure:
+        """The procedure whose bodies are ordered for what is known of a call's arguments."""
+        if self.fitted is None:
+            return self
+        pattern = tuple([type(deref(arg)) is not list for arg in args])
+        found = self.patterns.get(pattern)
+        if found is None:
+            found = self.patterns[pattern] = self.fitted(pattern)
+        return found
 
     def candidates(self, args: tuple[Any, ...]) -> tuple[CompiledClause, ...]:
         """The clauses whose head's first argument can be the call's."""

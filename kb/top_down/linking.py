@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from functools import cached_property, partial
 from typing import Any, TypeAlias
 
 from casper.kb.errors import ProgramError
 from casper.kb.program.refusals import undefined_sentence
 from casper.kb.relations.relation import Relation
 from casper.kb.terms.builtins import BUILTINS
-from casper.kb.terms.clauses import SYSTEM, Clause, Indicator
+from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound
+from casper.kb.terms.unification import variables_of
 from casper.kb.top_down.builtins import COMPUTING, CONTROL, library
-from casper.kb.top_down.code import CompiledClause, Procedure
+from casper.kb.top_down.code import CompiledClause, Pattern, Procedure
+from casper.kb.top_down.planning import SizeOf, ordered
 from casper.kb.top_down.recursion import tabled_of
 
 Computed: TypeAlias = Callable[[Compound], Iterator[Compound]]
 RESOLVED, TABLED, STORED, BUILT_IN, ASKED, CONTROLLED = range(6)
-METHODS = ("clauses", "table", "index", "built-in", "computed", "control")
 
 
 class Link:
@@ -34,20 +36,23 @@ class Code:
 
     Args:
         clauses: of every predicate that is resolved.
-        tabled: predicates whose calls are tabled; by default all that recur without building terms.
+        finite: predicates whose rows could all be listed: the order of their conditions is the planner's.
+        size_of: how many rows a predicate has, or may have.
     """
 
-    def __init__(self, clauses: Mapping[Indicator, Sequence[Clause]], tabled: frozenset[Indicator] | None = None) -> None:
-        self.clauses = clauses
+    def __init__(
+        self,
+        clauses: Mapping[Indicator, Sequence[Clause]],
+        finite: Collection[Indicator] = (),
+        size_of: SizeOf = lambda _: 1,
+    ) -> None:
+        self.clauses, self.finite, self.size_of = clauses, finite, size_of
         self._procedures: dict[Indicator, Procedure] = {}
-        self._tabled = tabled
 
-    @property
+    @cached_property
     def tabled(self) -> frozenset[Indicator]:
-        """The predicates whose calls are tabled."""
-        if self._tabled is None:
-            self._tabled = tabled_of(self.clauses)
-        return self._tabled
+        """The predicates whose calls are tabled: all that recur without building terms."""
+        return tabled_of(self.clauses)
 
     def procedure(self, indicator: Indicator) -> Procedure:
         """The compiled clauses of a predicate."""
@@ -55,7 +60,20 @@ class Code:
         if found is None:
             clauses = [CompiledClause(clause) for clause in self.clauses[indicator]]
             found = self._procedures[indicator] = Procedure(clauses, indicator[1])
+            if indicator in self.finite and any(len(clause.clause.body) > 1 for clause in clauses):
+                found.fitted = partial(self._fitted, indicator)
         return found
+
+    def _fitted(self, indicator: Indicator, pattern: Pattern) -> Procedure:
+        clauses = self.clauses[indicator]
+        return Procedure([CompiledClause(c, self.body(c, pattern)) for c in clauses], indicator[1])
+
+    def body(self, clause: Clause, pattern: Pattern) -> list[Literal]:
+        """A clause's conditions in the order in which they are taken, when those arguments are known."""
+        if clause.head.indicator not in self.finite:
+            return list(clause.body)
+        known = variables_of(*(arg for arg, is_known in zip(clause.head.args, pattern) if is_known))
+        return ordered(clause.body, known, self.size_of)
 
 
 class Links(dict[Indicator, Link]):

@@ -140,6 +140,8 @@ class Machine(Workspace):
                         if following is not None:
                             cont = (following, frame, cont)
                         procedure = link.what
+                        if procedure.fitted is not None:
+                            procedure = procedure.fitting(args)
                         if args:
                             first = args[0]
                             while type(first) is list:
