@@ -27,6 +27,7 @@ from casper.kb.terms.terms import Compound, Term, Variable, predication
 from casper.kb.terms.unification import is_ground, substitute, variables_of
 from casper.kb.text.reader import read_query
 from casper.kb.top_down.cells import variant
+from casper.kb.top_down.plan import Plan, plan_of
 from casper.kb.top_down.search import DEFAULT_BUDGET
 
 _query_of_text = lru_cache(maxsize=1024)(read_query)
@@ -46,9 +47,14 @@ class KnowledgeBase(ClauseStore):
         try:
             if statement in self._true:
                 return True
+            if statement in self._false:
+                return False
         except TypeError:  # not hashable, so no statement: `_asked` says so
-            pass
-        return self._asked(statement)
+            return self._asked(statement)
+        found = self._asked(statement)
+        if not found and len(self._false) < MOST_INDEXED:
+            self._false.add(statement)
+        return found
 
     def _asked(self, statement: Statement) -> bool:
         """What the index of true statements does not know."""
@@ -109,6 +115,17 @@ class KnowledgeBase(ClauseStore):
             check_defined(literal, self._model.program.clauses)
         return self._answers(alternatives, limit, timeout, budget, cancelled)
 
+    def plan(self, goal: str) -> Plan:
+        """How a query would be answered: each condition's turn, index and method, and those of the rules behind it.
+
+        Raises:
+            ReadError, ProgramError: as `query`.
+        """
+        links, alternatives = self._model.links, _query_of_text(goal)
+        for literal in (x for body in alternatives for x in body):
+            check_defined(literal, self._model.program.clauses)
+        return plan_of([links.code.query(body) for body in alternatives], links)
+
     def _answers(
         self,
         alternatives: tuple[tuple[Literal, ...], ...],
@@ -118,13 +135,13 @@ class KnowledgeBase(ClauseStore):
         cancelled: Callable[[], bool] | None,
     ) -> Iterator[dict[str, Term]]:
         seen: set[Hashable] = set()
-        solver = self.solver(budget)
+        solver, code = self.solver(budget), self._model.links.code
         solver.deadline = None if timeout is None else time.monotonic() + timeout
         solver.cancelled = cancelled
         for body in alternatives:
             names = [v for v in dict.fromkeys(v for x in body for v in x.variables()) if not v.name.startswith("_")]
-            for solution in solver.solve(body):
-                row = tuple(substitute(name, solution) for name in names)
+            for solution in solver.solve(code.query(body)):
+                row = tuple([solution.get(name, name) for name in names])
                 key = variant(row)
                 if key not in seen:
                     if limit is not None and len(seen) >= limit:
@@ -140,7 +157,7 @@ class KnowledgeBase(ClauseStore):
         names = list(variables_of(atom))
         closed = [is_ground(part) for part in atom]  # a long list is not copied for every answer
         for solution in self.solver().solve([Literal(atom)]):
-            key = variant(substitute(name, solution) for name in names)
+            key = variant([solution.get(name, name) for name in names])
             if key not in seen:
                 seen.add(key)
                 yield Compound([p if is_closed else substitute(p, solution) for p, is_closed in zip(atom, closed)])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import Self, TypeAlias
 
@@ -18,6 +18,7 @@ from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import is_ground, unify
 from casper.kb.text.reader import read_statement, read_text
 from casper.kb.text.writer import program_text
+from casper.kb.top_down.cells import variant
 from casper.kb.top_down.linking import Computed
 from casper.kb.top_down.search import DEFAULT_BUDGET, Search
 
@@ -39,6 +40,8 @@ class ClauseStore:
         self._statements: dict[Indicator, None] = {}
         self._cached: Model | None = None
         self._true: set[Statement] = set()  # stored statements that hold, once they are indexed
+        self._validated: dict[Hashable, list[Compound]] = {}  # answers of valid/1, by what was asked
+        self._false: set[Statement] = set()  # statements that were asked and do not hold
         self._index_in: int | None = 0  # questions until they are
         self.changes = 0  # how often something was added or taken back: what was asked before may be different now
 
@@ -90,6 +93,7 @@ class ClauseStore:
     def declare_statements(self, statements: Iterable[Indicator]) -> None:
         """Name the predicates that are action statements: what ``valid(S)`` enumerates when S is unknown."""
         self._statements.update(dict.fromkeys(statements))
+        self._validated = {}
 
     def compile(self) -> None:
         """Check, stratify and materialise now instead of at the first question.
@@ -156,7 +160,7 @@ class ClauseStore:
             return False
         self.changes += 1
         if kept:
-            self._true = set()
+            self._true, self._false, self._validated = set(), set(), {}
             self._index_in = MOST_INDEXED  # by then the questions have cost as much as indexing anew
             return model.change(atom.indicator, atom.args, clause if add else None, add=add)
         self._dynamic |= {atom.indicator}
@@ -222,7 +226,8 @@ class ClauseStore:
     def _forget(self) -> None:
         """Everything has to be worked out anew."""
         self.changes += 1
-        self._cached, self._true, self._index_in = None, set(), 0
+        self._cached, self._index_in = None, 0
+        self._true, self._false, self._validated = set(), set(), {}
 
     @property
     def _model(self) -> Model:
@@ -231,8 +236,21 @@ class ClauseStore:
         return self._cached
 
     def _valid(self, atom: Compound) -> Iterator[Compound]:
-        """The computed relation valid/1."""
-        wanted = atom[1]
+        """The computed relation valid/1; what was found of it in full is kept until something changes."""
+        key = variant(atom.args)
+        known = self._validated.get(key)
+        if known is not None:
+            yield from known
+            return
+        changes, found = self.changes, list[Compound]()
+        for answer in self._valid_anew(atom[1]):
+            if len(found) <= MOST_INDEXED:
+                found.append(answer)
+            yield answer
+        if changes == self.changes and len(found) + len(self._validated) <= MOST_INDEXED:
+            self._validated[key] = found
+
+    def _valid_anew(self, wanted: Term) -> Iterator[Compound]:
         if isinstance(wanted, Variable):
             patterns = [Compound([n, *(Variable(f"V{i}") for i in range(a))]) for n, a in self._statement_predicates()]
         else:

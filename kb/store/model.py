@@ -16,7 +16,7 @@ from casper.kb.relations.layered import LayeredRelation
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.store.on_demand import check_storable, code_of, facts_key, facts_of, index, is_large, listed_of
 from casper.kb.terms.clauses import Clause, Indicator
-from casper.kb.top_down.linking import Code, Computed
+from casper.kb.top_down.linking import Code, Computed, Links
 from casper.kb.top_down.search import DEFAULT_BUDGET, Search
 
 MOST_EXACT = 50_000  # rows up to which proofs are of least height whatever happened
@@ -78,6 +78,11 @@ class Model:
     def at_hand(self) -> MutableMapping[Indicator, Relation]:
         """The rows that are there now."""
         return self.facts if self.listed is None else self.listed
+
+    @property
+    def links(self) -> Links:
+        """How every predicate is answered just now."""
+        return Links(self.at_hand, self.code if self.listed is not None else self.demand_code, self.computed)
 
     def search(self, history: History = (), budget: int = DEFAULT_BUDGET) -> Search:
         """A fresh search over what is at hand."""

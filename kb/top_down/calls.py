@@ -11,7 +11,7 @@ from typing import Any
 from casper.kb.terms.clauses import Indicator
 from casper.kb.terms.terms import Compound
 from casper.kb.top_down.builtins.control import REFUTED
-from casper.kb.top_down.cells import Cell, deref, freeze, frozen_is_ground, inward, outward, thaw, undo, unify, variant
+from casper.kb.top_down.cells import Cell, deref, freeze, frozen_is_ground, inward, thaw, undo, unify, variant
 from casper.kb.top_down.code import CALL, NEGATE, STOP, Frame, Node, Procedure
 from casper.kb.top_down.engine import Workspace
 from casper.kb.top_down.goals import State, goal_state, joined, next_branch, node_for
@@ -32,7 +32,7 @@ def special(
     if link.how == TABLED:
         return _tabled(work, node.key, link.what, args, _after(node, frame, cont), strand)
     if link.how == ASKED:
-        atom = Compound((node.key[0], *(outward(freeze(arg, {})) for arg in args)))
+        atom = Compound((node.key[0], *(freeze(arg, {}, Compound) for arg in args)))
         rows = ((answer.args, True) for answer in link.what(atom))
         return offer(work, rows, args, _after(node, frame, cont), strand)
     return _control(work, link.what, node, args, frame, cont, strand)

@@ -90,15 +90,16 @@ def occurs(cell: Cell, term: tuple[Any, ...]) -> bool:
     return False
 
 
-def freeze(term: Any, holes: dict[int, Variable]) -> Term:
+def freeze(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]] = tuple) -> Term:
     """The term as it is now, without cells: a `Compound` where it is ground, else a plain tuple with variables.
 
-    ``holes`` names the unbound cells, by identity; those it does not know yet are given fresh variables.
+    ``holes`` names the unbound cells, by identity; those it does not know yet are given fresh variables. With
+    `Compound` as ``kind`` every compound is one: that is how the rest of the system knows terms.
     """
     spine: list[list[Any]] = []  # the last argument is followed in a loop: a list is as deep as it is long
     term = deref(term)
     while type(term) is tuple:
-        spine.append([freeze(p, holes) if type(p) is list or type(p) is tuple else p for p in term[:-1]])
+        spine.append([freeze(p, holes, kind) if type(p) is list or type(p) is tuple else p for p in term[:-1]])
         term = deref(term[-1])
     if type(term) is list:
         found = holes.get(id(term))
@@ -107,27 +108,21 @@ def freeze(term: Any, holes: dict[int, Variable]) -> Term:
         term = found
     for parts in reversed(spine):
         parts.append(term)
-        open_ = any(type(part) is Variable or type(part) is tuple for part in parts)
-        term = tuple(parts) if open_ else Compound(parts)
+        if kind is Compound:
+            term = Compound(parts)
+            continue
+        for part in parts:
+            if type(part) is Variable or type(part) is tuple:
+                term = tuple(parts)
+                break
+        else:
+            term = Compound(parts)
     return term
 
 
 def frozen_is_ground(term: Term) -> bool:
     """Whether a term that `freeze` gave has no variable."""
     return type(term) is not Variable and type(term) is not tuple
-
-
-def outward(term: Term) -> Term:
-    """A frozen term as the rest of the system knows terms: every compound a `Compound`."""
-    if type(term) is not tuple:
-        return term
-    spine: list[list[Any]] = []
-    while type(term) is tuple:
-        spine.append([outward(part) for part in term[:-1]])
-        term = term[-1]
-    for parts in reversed(spine):
-        term = Compound([*parts, term])
-    return term
 
 
 def thaw(term: Term, cells: dict[Variable, Cell], stamp: int = 0) -> Any:

@@ -68,6 +68,12 @@ class Code:
         clauses = self.clauses[indicator]
         return Procedure([CompiledClause(c, self.body(c, pattern)) for c in clauses], indicator[1])
 
+    def query(self, body: Sequence[Literal]) -> list[Literal]:
+        """A question's conditions in the order in which they are taken."""
+        if all(x.is_comparison or x.atom.indicator in self.finite for x in body):
+            return ordered(body, (), self.size_of)
+        return list(body)
+
     def body(self, clause: Clause, pattern: Pattern) -> list[Literal]:
         """A clause's conditions in the order in which they are taken, when those arguments are known."""
         if clause.head.indicator not in self.finite:

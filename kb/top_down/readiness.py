@@ -12,7 +12,7 @@ from casper.kb.terms.terms import Compound, Variable
 from casper.kb.terms.unification import renamed
 from casper.kb.text.writer import literal_text
 from casper.kb.top_down.builtins.control import REFUTED
-from casper.kb.top_down.cells import Trail, deref, freeze, frozen_is_ground, outward, unify
+from casper.kb.top_down.cells import Trail, deref, freeze, frozen_is_ground, unify
 from casper.kb.top_down.code import CALL, COMPARE, STOP, Frame, Node
 from casper.kb.top_down.linking import BUILT_IN, CONTROLLED, Links
 
@@ -134,7 +134,7 @@ def floundering(node: Node, frame: Frame) -> ProgramError:
     """That a condition cannot be decided, in the words of its author."""
     names: dict[int, Variable] = {}
     literal = node.literal
-    args = tuple(outward(freeze(arg, names)) for arg in node.build(frame))
+    args = tuple(freeze(arg, names, Compound) for arg in node.build(frame))
     if literal is not None:
         args = literal.atom.args if not names else _named(literal, args)
     shown = Literal(Compound((node.key[0], *args)), node.negated)

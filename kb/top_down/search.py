@@ -12,11 +12,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from casper.kb.errors import BudgetExceeded, Undefined
-from casper.kb.relations.relation import Relation
+from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute, unify
-from casper.kb.top_down.cells import Cell, deref, freeze, fresh_variable, inward, outward
+from casper.kb.top_down.cells import Cell, deref, freeze, fresh_variable, inward
 from casper.kb.top_down.code import STOP, Frame, Node, Slots, linked, node_of
 from casper.kb.top_down.engine import ROOT
 from casper.kb.top_down.linking import Code, Computed, Links
@@ -88,8 +88,12 @@ class Search:
         own = {id(cell): variable for variable, cell in cells.items()}
         try:
             for answer, certain in machine.answers(chain, frame):
+                values = tuple(map(deref, answer[1:]))
+                if not given and not any(type(value) is list or type(value) is tuple for value in values):
+                    yield dict(zip(names, values)), certain  # the usual answer: every value is a constant
+                    continue
                 holes = _named(names, given, answer, own, frame)
-                yield _extended(given, names, answer, holes), certain
+                yield _extended(given, names, values, holes), certain
                 self.steps += len(holes) // 4  # an answer with many open parts is work, too
         except RecursionError:
             raise BudgetExceeded("the search met a term that is nested too deeply: the answer is unknown") from None
@@ -156,12 +160,12 @@ def _named(
     return holes
 
 
-def _extended(given: Bindings, names: Sequence[Variable], answer: Frame, holes: dict[int, Variable]) -> Bindings:
+def _extended(given: Bindings, names: Sequence[Variable], values: Row, holes: dict[int, Variable]) -> Bindings:
     """The bindings with what an answer says of the names; what stays open keeps the asker's variables."""
     found = dict(given)
-    for name, value in zip(names, answer[1:]):
+    for name, value in zip(names, values):
         if type(value) is list or type(value) is tuple:
-            value = outward(freeze(value, holes))
+            value = freeze(value, holes, Compound)
         if name not in given:
             if value is not name:
                 found[name] = value

@@ -8,7 +8,8 @@ from typing import Any, TypeAlias
 
 from casper.kb.errors import Undefined
 from casper.kb.terms.syntax import term_text
-from casper.kb.top_down.cells import deref, freeze, frozen_is_ground, outward
+from casper.kb.terms.terms import Compound
+from casper.kb.top_down.cells import deref, freeze, frozen_is_ground
 
 Values: TypeAlias = tuple[Any, ...]  # one for each argument; None says nothing about it
 Outcome: TypeAlias = "Values | Iterator[Values] | None"
@@ -66,7 +67,7 @@ def has_end(term: Any) -> bool:
 
 def shown(term: Any) -> str:
     """A walked term as text."""
-    return term_text(outward(freeze(term, {})))
+    return term_text(freeze(term, {}, Compound))
 
 
 def no_meaning(name: str, wanted: str, term: Any) -> Undefined:

