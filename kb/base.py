@@ -26,7 +26,7 @@ from casper.kb.terms.clauses import SYSTEM, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable, predication
 from casper.kb.terms.unification import is_ground, substitute, variables_of
 from casper.kb.text.reader import read_query
-from casper.kb.top_down.cells import variant
+from casper.kb.top_down.compiled.cells import variant
 from casper.kb.top_down.plan import Plan, plan_of
 from casper.kb.top_down.search import DEFAULT_BUDGET
 

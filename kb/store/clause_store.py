@@ -18,7 +18,7 @@ from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import is_ground, unify
 from casper.kb.text.reader import read_statement, read_text
 from casper.kb.text.writer import program_text
-from casper.kb.top_down.cells import variant
+from casper.kb.top_down.compiled.cells import variant
 from casper.kb.top_down.linking import Computed
 from casper.kb.top_down.search import DEFAULT_BUDGET, Search
 

@@ -14,7 +14,7 @@ from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import variables_of
 from casper.kb.top_down.builtins import COMPUTING, CONTROL, library
-from casper.kb.top_down.code import CompiledClause, Pattern, Procedure
+from casper.kb.top_down.compiled.code import CompiledClause, Pattern, Procedure
 from casper.kb.top_down.planning import SizeOf, ordered
 from casper.kb.top_down.recursion import tabled_of
 

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from casper.kb.terms.clauses import Indicator, Literal
 from casper.kb.terms.terms import Variable
 from casper.kb.terms.unification import variables_of
 from casper.kb.text.writer import literal_text
-from casper.kb.top_down.code import Procedure
+from casper.kb.top_down.compiled.code import Procedure
 from casper.kb.top_down.linking import ASKED, BUILT_IN, CONTROLLED, STORED, TABLED, Code, Link, Links
 from casper.kb.top_down.planning import binds, is_bound
+
+
+Asked: TypeAlias = tuple[Indicator, tuple[bool, ...]]  # a predicate, and which of its arguments are known
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,12 +50,12 @@ class Plan:
 
 def plan_of(bodies: Iterable[Sequence[Literal]], links: Links) -> Plan:
     """The plan of a question's alternatives."""
-    told: set[tuple[Indicator, tuple[bool, ...]]] = set()
+    told: set[Asked] = set()
     return Plan(tuple(step for body in bodies for step in _body(body, set(), links, 0, told)))
 
 
 def _body(
-    body: Sequence[Literal], known: set[Variable], links: Links, depth: int, told: set[tuple[Indicator, tuple[bool, ...]]]
+    body: Sequence[Literal], known: set[Variable], links: Links, depth: int, told: set[Asked]
 ) -> Iterator[Step]:
     bound = set(known)
     for literal in body:
@@ -61,7 +65,8 @@ def _body(
         else:
             link = links[literal.atom.indicator]
             method, index = _method(link, literal, pattern, links.code)
-            yield Step(literal_text(literal), f"nothing proves it: {method}" if literal.negated else method, index, depth)
+            method = f"nothing proves it: {method}" if literal.negated else method
+            yield Step(literal_text(literal), method, index, depth)
             if isinstance(link.what, Procedure) and (literal.atom.indicator, pattern) not in told:
                 told.add((literal.atom.indicator, pattern))
                 yield from _rules(literal.atom.indicator, pattern, links, depth + 1, told)
@@ -73,7 +78,7 @@ def _rules(
     pattern: tuple[bool, ...],
     links: Links,
     depth: int,
-    told: set[tuple[Indicator, tuple[bool, ...]]],
+    told: set[Asked],
 ) -> Iterator[Step]:
     """The conditions of the rules of a predicate, for what is known of its arguments."""
     for clause in links.code.clauses.get(indicator, ()):

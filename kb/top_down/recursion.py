@@ -1,4 +1,4 @@
-"""Which recursive predicates are tabled: those whose recursion builds no terms, so that their calls are finitely many."""
+"""Which recursive predicates are tabled: those whose recursion builds no terms, so that calls are finitely many."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import is_ground
 
 Table = Mapping[Indicator, Sequence[Clause]]
-_CHOOSING = frozenset({("member", 2), ("memberchk", 2), ("last", 2), ("nth0", 3), ("nth1", 3), ("true", 0), ("fail", 0)})
+_CHOOSING = frozenset(  # built-ins that give nothing but what they are given
+    {("member", 2), ("memberchk", 2), ("last", 2), ("nth0", 3), ("nth1", 3), ("true", 0), ("fail", 0), ("false", 0)}
+)
 
 
 def tabled_of(clauses: Table) -> frozenset[Indicator]:
@@ -44,7 +46,9 @@ def _has_open_term(atom: Compound) -> bool:
 
 def groups(clauses: Table) -> Iterator[frozenset[Indicator]]:
     """The strongly connected groups of predicates (Tarjan's, on a stack of its own)."""
-    needs = {i: [x.atom.indicator for c in found for x in c.body if not x.is_comparison] for i, found in clauses.items()}
+    needs = {
+        i: [x.atom.indicator for c in found for x in c.body if not x.is_comparison] for i, found in clauses.items()
+    }
     number: dict[Indicator, int] = {}
     low: dict[Indicator, int] = {}
     open_: dict[Indicator, None] = {}

@@ -16,11 +16,11 @@ from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute, unify
-from casper.kb.top_down.cells import Cell, deref, freeze, fresh_variable, inward
-from casper.kb.top_down.code import STOP, Frame, Node, Slots, linked, node_of
-from casper.kb.top_down.engine import ROOT
+from casper.kb.top_down.compiled.cells import Cell, deref, freeze, fresh_variable, inward
+from casper.kb.top_down.compiled.code import STOP, Frame, Node, Slots, linked, node_of
 from casper.kb.top_down.linking import Code, Computed, Links
-from casper.kb.top_down.machine import Machine
+from casper.kb.top_down.running.engine import ROOT
+from casper.kb.top_down.running.machine import Machine
 
 BETWEEN_LOOKS = 256  # steps between two looks at the clock
 DEFAULT_BUDGET = 200_000
@@ -82,7 +82,8 @@ class Search:
         slots: Slots = {variable: at for at, variable in enumerate(names, 1)}
         cells: dict[Variable, Cell] = {}
         frame: Frame = [0, *(inward(substitute(name, given), cells) for name in names)]
-        machine = Machine(Links(self.relations, self._compiled, self.computed), self._meter(body), self.floundering_fails)
+        links = Links(self.relations, self._compiled, self.computed)
+        machine = Machine(links, self._meter(body), self.floundering_fails)
         stop = Node(STOP, ("", 0), _nothing, None, ROOT)
         chain = linked([*(node_of(literal, slots, given) for literal in body), stop])
         own = {id(cell): variable for variable, cell in cells.items()}

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 from casper.kb.errors import Undefined
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound
-from casper.kb.top_down.cells import deref, freeze, frozen_is_ground
+from casper.kb.top_down.compiled.cells import deref, freeze, frozen_is_ground
 
 Values: TypeAlias = tuple[Any, ...]  # one for each argument; None says nothing about it
 Outcome: TypeAlias = "Values | Iterator[Values] | None"

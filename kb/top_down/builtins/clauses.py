@@ -12,7 +12,7 @@ from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term
 from casper.kb.text.reader import read_text
-from casper.kb.top_down.code import CompiledClause, Procedure
+from casper.kb.top_down.compiled.code import CompiledClause, Procedure
 
 _TEXT = """
 append([], L, L).

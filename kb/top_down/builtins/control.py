@@ -1,4 +1,4 @@
-"""Goals about goals: what the machine does with them is in `kb.top_down.goals`."""
+"""Goals about goals: what the machine does with them is in `kb.top_down.running.goals`."""
 
 from __future__ import annotations
 

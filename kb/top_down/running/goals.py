@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any, TypeAlias
 
 from casper.kb.terms.syntax import COMPARISONS
-from casper.kb.top_down.cells import deref
-from casper.kb.top_down.code import CALL, COMPARE, NEGATE, Frame, Node
-from casper.kb.top_down.strands import BRANCHES, Choice, Cont, Strand
+from casper.kb.top_down.compiled.cells import deref
+from casper.kb.top_down.compiled.code import CALL, COMPARE, NEGATE, Frame, Node
+from casper.kb.top_down.running.strands import BRANCHES, Choice, Cont, Strand
 
 State: TypeAlias = tuple["Node | None", Frame, Cont, bool]  # what is to be done next, and whether that is certain
 

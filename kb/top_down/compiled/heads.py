@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import is_ground
-from casper.kb.top_down.cells import UNBOUND, Trail, deref, occurs, unify
+from casper.kb.top_down.compiled.cells import UNBOUND, Trail, deref, occurs, unify
 
 _DEEP = 20
 Frame: TypeAlias = list[Any]
@@ -87,7 +87,7 @@ def is_deep(term: Term) -> bool:
 
 
 def instance(term: Term, slots: dict[Variable, int], frame: Frame) -> Any:
-    """A term with its variables as a frame has them; a loop along last arguments, for a list is as deep as it is long."""
+    """A term with its variables as a frame has them; a loop along last arguments, as deep as a list is long."""
     spine: list[list[Any]] = []
     while isinstance(term, Compound):
         spine.append([instance(p, slots, frame) if isinstance(p, (Compound, Variable)) else p for p in term[:-1]])
@@ -157,10 +157,7 @@ def _structure(term: Compound, slots: dict[Variable, int], known: set[Variable])
             return False
         for at, slot in set_:
             frame[slot] = value[at]
-        for at, read in check:
-            if not read(value[at], frame, trail, top):
-                return False
-        return True
+        return all(read(value[at], frame, trail, top) for at, read in check) if check else True
 
     return match, build
 

@@ -11,14 +11,14 @@ from typing import Any
 from casper.kb.terms.clauses import Indicator
 from casper.kb.terms.terms import Compound
 from casper.kb.top_down.builtins.control import REFUTED
-from casper.kb.top_down.cells import Cell, deref, freeze, frozen_is_ground, inward, thaw, undo, unify, variant
-from casper.kb.top_down.code import CALL, NEGATE, STOP, Frame, Node, Procedure
-from casper.kb.top_down.engine import Workspace
-from casper.kb.top_down.goals import State, goal_state, joined, next_branch, node_for
+from casper.kb.top_down.compiled.cells import Cell, deref, freeze, frozen_is_ground, inward, thaw, undo, unify, variant
+from casper.kb.top_down.compiled.code import NEGATE, STOP, Frame, Node, Procedure
 from casper.kb.top_down.linking import ASKED, BUILT_IN, STORED, TABLED, Link
-from casper.kb.top_down.readiness import UNDECIDED, closed, floundering, later
-from casper.kb.top_down.strands import ANSWERS, BRANCHES, CLAUSES, VALUES, Choice, Cont, Strand
-from casper.kb.top_down.tables import Consumer, Table
+from casper.kb.top_down.running.engine import Workspace
+from casper.kb.top_down.running.goals import State, goal_state, joined, next_branch, node_for
+from casper.kb.top_down.running.readiness import UNDECIDED, closed, floundering, later
+from casper.kb.top_down.running.strands import ANSWERS, BRANCHES, CLAUSES, VALUES, Choice, Cont, Strand
+from casper.kb.top_down.running.tables import Consumer, Table
 
 NESTED = object()  # a negated goal is being worked out first
 
@@ -30,11 +30,13 @@ def special(
     if link.how == BUILT_IN:
         return _built_in(work, link, node, args, frame, cont, strand)
     if link.how == TABLED:
-        return _tabled(work, node.key, link.what, args, _after(node, frame, cont), strand)
+        _tabled(work, node.key, link.what, args, _after(node, frame, cont), strand)
+        return None
     if link.how == ASKED:
         atom = Compound((node.key[0], *(freeze(arg, {}, Compound) for arg in args)))
         rows = ((answer.args, True) for answer in link.what(atom))
-        return offer(work, rows, args, _after(node, frame, cont), strand)
+        offer(work, rows, args, _after(node, frame, cont), strand)
+        return None
     return _control(work, link.what, node, args, frame, cont, strand)
 
 
@@ -76,7 +78,8 @@ def _built_in(
             if value is not None and not unify(arg, value, strand.trail, top):
                 return None
         return node.next, frame, cont, strand.certain
-    return offer(work, ((values, True) for values in outcome), walked, _after(node, frame, cont), strand)
+    offer(work, ((values, True) for values in outcome), walked, _after(node, frame, cont), strand)
+    return None
 
 
 def offer(work: Workspace, rows: Iterator[tuple[Any, bool]], args: tuple[Any, ...], cont: Cont, strand: Strand) -> None:
@@ -103,7 +106,8 @@ def _tabled(
         cells: dict[Any, Cell] = {}
         fresh = tuple([thaw(arg, cells) for arg in frozen])
         sink: Cont = (Node(STOP, key, _nothing, None, table), [0, *fresh], None)
-        engine.queue.append(Strand.of(Choice(0, 0, True, CLAUSES, procedure.fitting(fresh).candidates(fresh), 0, fresh, sink)))
+        clauses = procedure.fitting(fresh).candidates(fresh)
+        engine.queue.append(Strand.of(Choice(0, 0, True, CLAUSES, clauses, 0, fresh, sink)))
     engine.queue.append(Consumer(table, cont, args, strand.certain).strand())
 
 

@@ -1,10 +1,10 @@
 """The machine: compiled clauses run on an explicit stack of choice points, tables, and negation as failure.
 
-Goals are worked off depth first; strands of the search take turns (`kb.top_down.strands`), so that an endless branch
-starves no other. A call of a tabled predicate is worked out once (`kb.top_down.tables`). A negation is a search of its
-own: where nothing proves its goal and nothing is left to try, it holds. A negation that comes back to a goal that is
-being refuted is *undefined*, and so is whatever rests on it: answers carry whether they are certain. What is found that
-way agrees with the well-founded semantics, since a circle is entered once with nothing assumed.
+Goals are worked off depth first; strands of the search take turns (`strands`), so that an endless branch starves no
+other. A call of a tabled predicate is worked out once (`tables`). A negation is a search of its own: where nothing
+proves its goal and nothing is left to try, it holds. A negation that comes back to a goal that is being refuted is
+taken to be *undefined* until something more is known (`engine`), and so is whatever rests on it: answers carry whether
+they are certain. What is found that way agrees with the well-founded semantics.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from casper.kb.top_down.calls import NESTED, negated, retried, special, waiting
-from casper.kb.top_down.cells import UNBOUND, freeze, frozen_is_ground, undo, unify
-from casper.kb.top_down.code import CALL, COMPARE, NEGATE, Frame, Node
-from casper.kb.top_down.engine import NEGATION, ROOT, Engine, Workspace
+from casper.kb.top_down.compiled.cells import UNBOUND, freeze, frozen_is_ground, undo, unify
+from casper.kb.top_down.compiled.code import CALL, COMPARE, NEGATE, Frame, Node
 from casper.kb.top_down.linking import STORED, TABLED, Link, Links
-from casper.kb.top_down.readiness import UNDECIDED, binds_open, compared
-from casper.kb.top_down.strands import CLAUSES, ROWS, Choice, Strand, split
+from casper.kb.top_down.running.calls import NESTED, negated, retried, special, waiting
+from casper.kb.top_down.running.engine import NEGATION, ROOT, Engine, Workspace
+from casper.kb.top_down.running.readiness import UNDECIDED, binds_open, compared
+from casper.kb.top_down.running.strands import CLAUSES, ROWS, Choice, Strand, split
 
 DEAD, TIRED, ANSWERED, PROVED, NESTING = range(5)  # what ends a strand's turn
 

@@ -12,8 +12,8 @@ from casper.kb.terms.terms import Compound, Variable
 from casper.kb.terms.unification import renamed
 from casper.kb.text.writer import literal_text
 from casper.kb.top_down.builtins.control import REFUTED
-from casper.kb.top_down.cells import Trail, deref, freeze, frozen_is_ground, unify
-from casper.kb.top_down.code import CALL, COMPARE, STOP, Frame, Node
+from casper.kb.top_down.compiled.cells import Trail, deref, freeze, frozen_is_ground, unify
+from casper.kb.top_down.compiled.code import CALL, COMPARE, STOP, Frame, Node
 from casper.kb.top_down.linking import BUILT_IN, CONTROLLED, Links
 
 UNDECIDED = (Undefined,)  # what evaluating raises where a condition is neither true nor false

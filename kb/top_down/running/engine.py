@@ -1,4 +1,4 @@
-"""What a search has in hand: its engines, one for the question and one for each negated goal under way, and its tables."""
+"""What a search has in hand: engines, one for the question and one for each negated goal under way, and tables."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from typing import TypeAlias
 
 from casper.kb.terms.clauses import Indicator
 from casper.kb.terms.terms import Term, Variable
-from casper.kb.top_down.cells import Cell, thaw
-from casper.kb.top_down.code import CALL, STOP, Frame, Node
-from casper.kb.top_down.goals import node_for
+from casper.kb.top_down.compiled.cells import Cell, thaw
+from casper.kb.top_down.compiled.code import CALL, STOP, Frame, Node
 from casper.kb.top_down.linking import Links
-from casper.kb.top_down.strands import Strand
-from casper.kb.top_down.tables import Table
+from casper.kb.top_down.running.goals import node_for
+from casper.kb.top_down.running.strands import Strand
+from casper.kb.top_down.running.tables import Table
 
 Goal: TypeAlias = tuple[Indicator, Hashable]  # a predicate, and what its arguments are a variant of
 Args: TypeAlias = tuple[Term, ...]

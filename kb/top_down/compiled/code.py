@@ -13,8 +13,8 @@ from typing import Any, TypeAlias
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import is_ground, variables_of
-from casper.kb.top_down.cells import deref
-from casper.kb.top_down.heads import Matcher, instance, is_deep, matchers
+from casper.kb.top_down.compiled.cells import deref
+from casper.kb.top_down.compiled.heads import Matcher, instance, is_deep, matchers
 
 Frame: TypeAlias = list[Any]
 Build: TypeAlias = Callable[[Frame], Any]
@@ -39,7 +39,9 @@ class Node:
 
     __slots__ = ("build", "key", "kind", "literal", "negated", "next", "orders", "own", "sink")
 
-    def __init__(self, kind: int, key: Indicator, build: Build, literal: Literal | None = None, sink: Any = None) -> None:
+    def __init__(
+        self, kind: int, key: Indicator, build: Build, literal: Literal | None = None, sink: Any = None
+    ) -> None:
         self.kind, self.key, self.build, self.literal, self.sink = kind, key, build, literal, sink
         self.negated = literal is not None and literal.negated
         self.next: Node | None = None

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 from casper.kb.terms.terms import Term, Variable
-from casper.kb.top_down.cells import UNBOUND, Cell, Trail, freeze, thaw
-from casper.kb.top_down.code import Frame, Node
+from casper.kb.top_down.compiled.cells import UNBOUND, Cell, Trail, freeze, thaw
+from casper.kb.top_down.compiled.code import Frame, Node
 
 Cont: TypeAlias = tuple[Any, ...] | None  # (node, frame, continuation): what is to be done after this
 CLAUSES, ROWS, VALUES, BRANCHES, ANSWERS = range(5)

@@ -11,8 +11,8 @@ from collections.abc import Hashable
 from typing import Any, TypeAlias
 
 from casper.kb.terms.terms import Term
-from casper.kb.top_down.cells import variant
-from casper.kb.top_down.strands import ANSWERS, Choice, Cont, Snapshot, Strand, snapshot
+from casper.kb.top_down.compiled.cells import variant
+from casper.kb.top_down.running.strands import ANSWERS, Choice, Cont, Snapshot, Strand, snapshot
 
 Queue: TypeAlias = "deque[Strand]"
 
