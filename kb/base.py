@@ -134,20 +134,22 @@ class KnowledgeBase(ClauseStore):
         budget: int,
         cancelled: Callable[[], bool] | None,
     ) -> Iterator[dict[str, Term]]:
+        if limit is not None and limit <= 0:
+            return
         seen: set[Hashable] = set()
         solver, code = self.solver(budget), self._model.links.code
         solver.deadline = None if timeout is None else time.monotonic() + timeout
         solver.cancelled = cancelled
         for body in alternatives:
             names = [v for v in dict.fromkeys(v for x in body for v in x.variables()) if not v.name.startswith("_")]
-            for solution in solver.solve(code.query(body)):
-                row = tuple([solution.get(name, name) for name in names])
+            shown = [name.name for name in names]
+            for row in solver.rows(code.query(body), names):
                 key = variant(row)
                 if key not in seen:
-                    if limit is not None and len(seen) >= limit:
-                        return
                     seen.add(key)
-                    yield {name.name: value for name, value in zip(names, row)}
+                    yield dict(zip(shown, row))
+                    if len(seen) == limit:  # the next answer may be far away
+                        return
 
     def instances(self, statement: Statement) -> Iterator[Compound]:
         """Every instance of one atom that holds, lazily, each once; a part that may be anything stays a variable."""
@@ -156,11 +158,12 @@ class KnowledgeBase(ClauseStore):
         seen: set[Hashable] = set()
         names = list(variables_of(atom))
         closed = [is_ground(part) for part in atom]  # a long list is not copied for every answer
-        for solution in self.solver().solve([Literal(atom)]):
-            key = variant([solution.get(name, name) for name in names])
+        for row in self.solver().rows([Literal(atom)], names):
+            key = variant(row)
             if key not in seen:
                 seen.add(key)
-                yield Compound([p if is_closed else substitute(p, solution) for p, is_closed in zip(atom, closed)])
+                found = {name: value for name, value in zip(names, row) if value is not name}
+                yield Compound([p if is_closed else substitute(p, found) for p, is_closed in zip(atom, closed)])
 
     def rows(self, name: str, arity: int) -> Iterator[Row]:
         """The rows of a predicate as tuples of constants; none when it is not defined."""

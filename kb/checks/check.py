@@ -16,6 +16,7 @@ from casper.kb.checks.finding import Finding, finding_of, sorted_findings
 from casper.kb.checks.names import arity_clashes, own_mistakes, single_variables, unbound_conditions, undefined_names
 from casper.kb.checks.needs import needs_graph, negative_circles, unneeded
 from casper.kb.errors import CasperError, Place
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence
 from casper.kb.terms.terms import Compound
 from casper.kb.text.recovery import read_tolerantly
@@ -66,7 +67,8 @@ def check_sentences(sentences: Sequence[Sentence], context: Context = _ALONE) ->
     for clause in clauses:
         mistakes = [*own_mistakes(clause), *undefined_names(clause, known, context.half_read)]
         findings.extend(mistakes)
-        if mistakes or any(not x.is_comparison and x.atom.indicator not in {*known, *SYSTEM} for x in clause.body):
+        given = {*known, *SYSTEM, *BUILTINS}
+        if mistakes or any(not x.is_comparison and x.atom.indicator not in given for x in clause.body):
             faulty.append(clause)
     circles = list(negative_circles(clauses))
     findings.extend(circle for circle, _ in circles)

@@ -10,14 +10,12 @@ from casper.kb.errors import Place, ProgramError
 from casper.kb.program.listing import is_range_restricted
 from casper.kb.program.program import analyse
 from casper.kb.program.refusals import undefined_sentence
+from casper.kb.terms.builtins import BUILTINS, CONTROL
 from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Production, Sentence
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.text.writer import literal_text
 
 _PROLOG = {
-    "not": "write \\+ condition",
-    "call": "state the condition itself",
-    "member": "state a fact for each member",
     "findall": "ask the knowledge base from Python",
     "forall": "negate a rule for the exceptions",
     "assert": "add facts from Python",
@@ -25,7 +23,8 @@ _PROLOG = {
     "retract": "remove facts from Python",
     "write": "print from Python",
 }
-_GUARDED = {name for name, _ in SYSTEM} | {"=", "is"}
+_GUARDED = {name for name, _ in (*SYSTEM, *CONTROL)} | {"=", "is"}
+_GIVEN = BUILTINS | set(SYSTEM)
 
 
 def undefined_names(clause: Clause, known: Collection[Indicator], half_read: Collection[str]) -> Iterator[Finding]:
@@ -35,7 +34,7 @@ def undefined_names(clause: Clause, known: Collection[Indicator], half_read: Col
     """
     for literal in clause.body:
         atom = literal.atom
-        if literal.is_comparison or atom.indicator in SYSTEM or atom.indicator in known or atom.functor in half_read:
+        if literal.is_comparison or atom.indicator in _GIVEN or atom.indicator in known or atom.functor in half_read:
             continue
         sentence = undefined_sentence(atom.indicator, known)
         if atom.functor in _PROLOG and "did you mean" not in sentence:
@@ -47,7 +46,7 @@ def own_mistakes(clause: Clause) -> Iterator[Finding]:
     """What is wrong with a clause by itself: a reserved name, a constraint without sentence, an unbound negation."""
     if not clause.body and clause.head.functor not in _GUARDED:
         return
-    needed = {x.atom.indicator for x in clause.body if not x.is_comparison} - set(SYSTEM)
+    needed = {x.atom.indicator for x in clause.body if not x.is_comparison} - _GIVEN
     try:
         analyse([clause], needed - {clause.head.indicator})
     except ProgramError as mistake:

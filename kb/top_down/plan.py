@@ -14,7 +14,6 @@ from casper.kb.top_down.compiled.code import Procedure
 from casper.kb.top_down.linking import ASKED, BUILT_IN, CONTROLLED, STORED, TABLED, Code, Link, Links
 from casper.kb.top_down.planning import binds, is_bound
 
-
 Asked: TypeAlias = tuple[Indicator, tuple[bool, ...]]  # a predicate, and which of its arguments are known
 
 

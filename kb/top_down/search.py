@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from casper.kb.errors import BudgetExceeded, Undefined
@@ -16,7 +16,7 @@ from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute, unify
-from casper.kb.top_down.compiled.cells import Cell, deref, freeze, fresh_variable, inward
+from casper.kb.top_down.compiled.cells import Cell, deref, freeze, fresh_variable, inward, variant
 from casper.kb.top_down.compiled.code import STOP, Frame, Node, Slots, linked, node_of
 from casper.kb.top_down.linking import Code, Computed, Links
 from casper.kb.top_down.running.engine import ROOT
@@ -25,6 +25,7 @@ from casper.kb.top_down.running.machine import Machine
 BETWEEN_LOOKS = 256  # steps between two looks at the clock
 DEFAULT_BUDGET = 200_000
 MOST_BLOCKS = 5_000_000  # pieces of memory a search may hold: some 500 MB
+_PLAIN = frozenset((str, int, float, Compound))  # types of values that need no copying
 _BETWEEN_WEIGHINGS = 16_384
 
 
@@ -54,20 +55,14 @@ class Search:
             Undefined: after all that is certain, where something else is neither true nor false.
             ProgramError: a condition was reached whose variables nothing binds.
         """
-        uncertain: list[Bindings] = []
-        doubtful = False
-        certain: list[Bindings] = []
-        for found, is_certain in self.outcomes(body, bindings):
-            if found is None:
-                doubtful = True
-            elif is_certain:
-                if uncertain:
-                    certain.append(found)
-                yield found
-            else:
-                uncertain.append(found)
-        if doubtful or any(found not in certain for found in uncertain):
-            raise Undefined("whether this holds is neither true nor false: it rests on something undefined")
+        given, names = bindings or {}, _names(body)
+        return (_extended(given, names, values) for values in self._certain(self._found(body, given)))
+
+    def rows(self, body: Sequence[Literal], names: Sequence[Variable]) -> Iterator[Row]:
+        """The values of some of the body's variables in every answer that is certain; raises as `solve` does."""
+        columns = [_names(body).index(name) for name in names]
+        for values in self._certain(self._found(body, {})):
+            yield tuple([values[column] for column in columns])
 
     def outcomes(
         self, body: Sequence[Literal], bindings: Bindings | None = None
@@ -77,8 +72,28 @@ class Search:
         A last outcome without bindings says that an evaluation failed: what is not there may be undefined. Raises as
         `solve` does, but for `Undefined`.
         """
-        given = bindings or {}
-        names = list(dict.fromkeys(variable for literal in body for variable in literal.variables()))
+        given, names = bindings or {}, _names(body)
+        for values, certain in self._found(body, given):
+            yield None if values is None else _extended(given, names, values), certain
+
+    def _certain(self, found: Iterator[tuple[Row | None, bool]]) -> Iterator[Row]:
+        uncertain: set[Hashable] = set()  # undefined that way; another may make it certain
+        settled: list[Row] = []
+        doubtful = False
+        for values, certain in found:
+            if values is None:
+                doubtful = True
+            elif certain:
+                settled.append(values)
+                yield values
+            else:
+                uncertain.add(variant(values))
+        if doubtful or (uncertain and not uncertain <= set(map(variant, settled))):
+            raise Undefined("whether this holds is neither true nor false: it rests on something undefined")
+
+    def _found(self, body: Sequence[Literal], given: Bindings) -> Iterator[tuple[Row | None, bool]]:
+        """The values of the body's variables in every answer, with whether it is certain; None for a doubt."""
+        names = _names(body)
         slots: Slots = {variable: at for at, variable in enumerate(names, 1)}
         cells: dict[Variable, Cell] = {}
         frame: Frame = [0, *(inward(substitute(name, given), cells) for name in names)]
@@ -90,12 +105,11 @@ class Search:
         try:
             for answer, certain in machine.answers(chain, frame):
                 values = tuple(map(deref, answer[1:]))
-                if not given and not any(type(value) is list or type(value) is tuple for value in values):
-                    yield dict(zip(names, values)), certain  # the usual answer: every value is a constant
-                    continue
-                holes = _named(names, given, answer, own, frame)
-                yield _extended(given, names, values, holes), certain
-                self.steps += len(holes) // 4  # an answer with many open parts is work, too
+                if not all(map(_PLAIN.__contains__, map(type, values))):
+                    holes = _named(names, given, answer, own, frame)
+                    values = tuple([freeze(value, holes, Compound) for value in values])
+                    self.steps += len(holes) // 4  # an answer with many open parts is work, too
+                yield values, certain
         except RecursionError:
             raise BudgetExceeded("the search met a term that is nested too deeply: the answer is unknown") from None
         if machine.doubtful:
@@ -161,18 +175,20 @@ def _named(
     return holes
 
 
-def _extended(given: Bindings, names: Sequence[Variable], values: Row, holes: dict[int, Variable]) -> Bindings:
+def _extended(given: Bindings, names: Sequence[Variable], values: Row) -> Bindings:
     """The bindings with what an answer says of the names; what stays open keeps the asker's variables."""
     found = dict(given)
     for name, value in zip(names, values):
-        if type(value) is list or type(value) is tuple:
-            value = freeze(value, holes, Compound)
         if name not in given:
             if value is not name:
                 found[name] = value
         elif not is_ground(given[name]):
             _bind(name, value, found)
     return found
+
+
+def _names(body: Sequence[Literal]) -> list[Variable]:
+    return list(dict.fromkeys(variable for literal in body for variable in literal.variables()))
 
 
 def _bind(name: Variable, value: Term, found: Bindings) -> None:

@@ -104,7 +104,7 @@ def test_no_text_makes_the_check_fail(text):
         ("greet(X) --> wave(X, Y).", "Y stands only once here; write _ or _Y if it is meant to be anything"),
         ("never(X) :- claim(X).", 'a constraint starts with its sentence: never("…") :- …'),
         ("q(a). p(X) :- q(X), findall(Y, q(Y), _L).", "findall/3 is not part of the language; ask the knowledge base from Python"),
-        ("q(a). p(X) :- q(X), not(q(X)).", "not/1 is not part of the language; write \\+ condition"),
+        ("q(a). p(X) :- q(X), assertz(q(X)).", "assertz/1 is not part of the language; add facts from Python"),
         ("q(a). p(X) :- \\+ q(X).", "nothing here binds the variables of \\+ q(X): p/1 must be asked with them"),
         ("q(a). p(X, Y) :- q(X), Y > X.", "nothing here binds the variables of Y > X: p/2 must be asked with them"),
         (":- module(x).", "the only directive is :- dynamic(name/arity), not module(x)"),
