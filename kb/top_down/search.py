@@ -19,6 +19,7 @@ from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute
 from casper.kb.top_down.compiled.cells import Cell, deref, freeze, fresh_variable, inward, variant
 from casper.kb.top_down.compiled.code import STOP, Frame, Node, Slots, linked, node_of
 from casper.kb.top_down.linking import Code, Computed, Links
+from casper.kb.top_down.lookups import answers, lookups_of
 from casper.kb.top_down.running.engine import ROOT
 from casper.kb.top_down.running.machine import Machine
 
@@ -94,10 +95,14 @@ class Search:
     def _found(self, body: Sequence[Literal], given: Bindings) -> Iterator[tuple[Row | None, bool]]:
         """The values of the body's variables in every answer, with whether it is certain; None for a doubt."""
         names = _names(body)
+        links = Links(self.relations, self._compiled, self.computed)
+        plain = None if given else lookups_of(body, names, links)
+        if plain is not None:
+            yield from ((row, True) for row in answers(plain, len(names), self._meter(body)))
+            return
         slots: Slots = {variable: at for at, variable in enumerate(names, 1)}
         cells: dict[Variable, Cell] = {}
         frame: Frame = [0, *(inward(substitute(name, given), cells) for name in names)]
-        links = Links(self.relations, self._compiled, self.computed)
         machine = Machine(links, self._meter(body), self.floundering_fails)
         stop = Node(STOP, ("", 0), _nothing, None, ROOT)
         chain = linked([*(node_of(literal, slots, given) for literal in body), stop])

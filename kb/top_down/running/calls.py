@@ -94,6 +94,7 @@ def _tabled(
     holes: dict[int, Any] = {}
     frozen = tuple([freeze(arg, holes) for arg in args])
     call, engine = (key, variant(frozen)), work.engines[-1]
+    work.toil += len(call[1]) // 64  # type: ignore[arg-type]
     table = work.done.get(call)
     if table is not None:
         engine.doubtful = engine.doubtful or table.doubtful
@@ -182,6 +183,7 @@ def negated(work: Workspace, node: Node, frame: Frame, strand: Strand) -> State 
     if link.how == STORED:
         return None if _any_row(link, args, frozen) else (node.next, frame, None, strand.certain)
     goal = (node.key, variant(frozen))
+    work.toil += len(goal[1]) // 64  # type: ignore[arg-type]
     if goal in work.verdicts:
         verdict = work.verdicts[goal]
         return None if verdict else (node.next, frame, None, strand.certain and verdict is False)

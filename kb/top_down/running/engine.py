@@ -53,6 +53,7 @@ class Workspace:
 
     Attributes:
         serial: how many choice points there have been.
+        toil: steps that are charged for terms so large that looking at them is work.
         done: complete tables.
         verdicts: of negated goals: True (provable), False (refuted), None (undefined).
         open: negated goals that are undefined as long as the goal of an engine further down is, and which engine.
@@ -61,7 +62,7 @@ class Workspace:
 
     def __init__(self, links: Links, floundering_fails: bool) -> None:
         self.links, self.floundering_fails = links, floundering_fails
-        self.serial = 0
+        self.serial = self.toil = 0
         self.engines: list[Engine] = []
         self.done: dict[Hashable, Table] = {}
         self.verdicts: dict[Goal, bool | None] = {}

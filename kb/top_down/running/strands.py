@@ -17,7 +17,7 @@ from casper.kb.top_down.compiled.code import Frame, Node
 
 Cont: TypeAlias = tuple[Any, ...] | None  # (node, frame, continuation): what is to be done after this
 CLAUSES, ROWS, VALUES, BRANCHES, ANSWERS = range(5)
-TURN = 4_096  # steps before another strand has its turn
+TURN = 1_024  # steps before another strand has its turn
 
 
 class Choice:
