@@ -84,7 +84,7 @@ def _greatest(whole: Any, _: Any) -> Outcome:
 
 def _memberchk(wanted: Any, whole: Any) -> Outcome:
     """The first item that the wanted one can be."""
-    trail: Trail = []
+    trail = Trail()
     items, _ = walked_list(whole)
     for item in items:
         fits = unify(wanted, item, trail, _EVERY)

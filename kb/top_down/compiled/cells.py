@@ -15,11 +15,20 @@ from typing import Any, TypeAlias
 from casper.kb.terms.terms import Compound, Term, Variable
 
 Cell: TypeAlias = list[Any]
-Trail: TypeAlias = list[Cell]
 UNBOUND: Any = type("Unbound", (), {"__slots__": (), "__repr__": lambda _: "unbound"})()
 NO_TERM: Any = type("NoTerm", (), {"__slots__": (), "__eq__": lambda a, b: False, "__hash__": lambda _: 0})()
 _serials = count(1)  # shared by all searches: one may hand its variables to another, through valid/1
 _STRUCTURE, _HOLE = object(), object()
+
+
+class Trail(list[Cell]):
+    """Cells in the order in which they were bound; ``toil`` counts work on large terms, in steps."""
+
+    __slots__ = ("toil",)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.toil = 0
 
 
 def fresh_variable() -> Variable:
@@ -59,7 +68,7 @@ def unify(left: Any, right: Any, trail: Trail, top: int) -> bool:
             if type(left) is not list and type(right) is list:
                 left, right = right, left
             if type(left) is list:
-                if type(right) is tuple and occurs(left, right):
+                if type(right) is tuple and occurs(left, right, trail):
                     return False
                 left[0] = right
                 if left[1] < top:
@@ -77,10 +86,14 @@ def unify(left: Any, right: Any, trail: Trail, top: int) -> bool:
         left, right = waiting.pop()
 
 
-def occurs(cell: Cell, term: tuple[Any, ...]) -> bool:
-    """Whether an unbound cell is somewhere in a compound term."""
+def occurs(cell: Cell, term: tuple[Any, ...], trail: Trail) -> bool:
+    """Whether an unbound cell is somewhere in a compound term; looking at a large one is charged for."""
     waiting: list[Any] = [term]
+    seen = 0
     while waiting:
+        seen += 1
+        if seen % 64 == 0:
+            trail.toil += 1
         for part in waiting.pop():
             part = deref(part)
             if part is cell:

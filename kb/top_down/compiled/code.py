@@ -139,9 +139,21 @@ def _part(term: Term, slots: Slots) -> Build:
         return lambda frame: instance(term, slots, frame)
     if len(term) == 3:
         name, left, right = term[0], _part(term[1], slots), _part(term[2], slots)
-        return lambda frame: (name, left(frame), right(frame))
+
+        def build(frame: Frame) -> Any:
+            one, two = left(frame), right(frame)
+            open_ = type(one) is list or type(one) is tuple or type(two) is list or type(two) is tuple
+            return (name, one, two) if open_ else Compound((name, one, two))
+
+        return build
     parts = [_part(part, slots) for part in term]
-    return lambda frame: tuple([part(frame) for part in parts])
+    return lambda frame: _built([part(frame) for part in parts])
+
+
+def _built(parts: list[Any]) -> Any:
+    """A compound term: known to be ground where all its parts are, so that nobody looks for a cell in it."""
+    open_ = any(type(part) is list or type(part) is tuple for part in parts)
+    return tuple(parts) if open_ else Compound(parts)
 
 
 class Procedure:

@@ -11,7 +11,18 @@ from typing import Any
 from casper.kb.terms.clauses import Indicator
 from casper.kb.terms.terms import Compound
 from casper.kb.top_down.builtins.control import REFUTED
-from casper.kb.top_down.compiled.cells import Cell, deref, freeze, frozen_is_ground, inward, thaw, undo, unify, variant
+from casper.kb.top_down.compiled.cells import (
+    Cell,
+    Trail,
+    deref,
+    freeze,
+    frozen_is_ground,
+    inward,
+    thaw,
+    undo,
+    unify,
+    variant,
+)
 from casper.kb.top_down.compiled.code import NEGATE, STOP, Frame, Node, Procedure
 from casper.kb.top_down.linking import ASKED, BUILT_IN, STORED, TABLED, Link
 from casper.kb.top_down.running.engine import Workspace
@@ -201,7 +212,7 @@ def _any_row(link: Link, args: Iterable[Any], frozen: tuple[Any, ...]) -> bool:
     columns = tuple([at for at, arg in enumerate(frozen) if frozen_is_ground(arg)])
     if len(columns) == len(frozen):
         return frozen in link.what
-    trail: list[Cell] = []
+    trail = Trail()
     for row in link.what.matching(columns, tuple([frozen[at] for at in columns])):
         fits = unify(("", *args), ("", *row), trail, 1 << 62)
         undo(trail, 0)

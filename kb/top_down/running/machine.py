@@ -64,7 +64,8 @@ class Machine(Workspace):
     def _rest(self, strand: Strand, engine: Engine) -> None:
         """Look at the clock; where the strand's turn is over, part it and let the others go on."""
         if self.left <= 0:
-            used, self.toil = self.granted - self.left + self.toil, 0
+            used, self.toil = self.granted - self.left + self.toil + strand.trail.toil, 0
+            strand.trail.toil = 0
             self.granted = self.left = self.look(used)
         if strand.turn > 0:
             engine.queue.appendleft(strand)

@@ -50,7 +50,7 @@ class Strand:
     def __init__(self, node: Node | None, frame: Frame, cont: Cont, certain: bool = True) -> None:
         self.node, self.frame, self.cont, self.certain = node, frame, cont, certain
         self.choices: list[Choice] = []
-        self.trail: Trail = []
+        self.trail = Trail()
         self.failing, self.turn = False, TURN
 
     @classmethod
