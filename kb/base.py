@@ -158,11 +158,15 @@ class KnowledgeBase(ClauseStore):
         seen: set[Hashable] = set()
         names = list(variables_of(atom))
         closed = [is_ground(part) for part in atom]  # a long list is not copied for every answer
+        plain = all(is_closed or isinstance(part, Variable) for part, is_closed in zip(atom, closed))
         for row in self.solver().rows([Literal(atom)], names):
             key = variant(row)
             if key not in seen:
                 seen.add(key)
                 found = {name: value for name, value in zip(names, row) if value is not name}
+                if plain:
+                    yield Compound([part if is_closed else found.get(part, part) for part, is_closed in zip(atom, closed)])
+                    continue
                 yield Compound([p if is_closed else substitute(p, found) for p, is_closed in zip(atom, closed)])
 
     def rows(self, name: str, arity: int) -> Iterator[Row]:

@@ -55,11 +55,6 @@ def walked_list(term: Any) -> tuple[list[Any], Any]:
     return items, term
 
 
-def is_proper(term: Any) -> bool:
-    """Whether a term is a list whose end is known."""
-    return bool(walked_list(term)[1] == "[]")
-
-
 def has_end(term: Any) -> bool:
     """Whether a term is a list, or certainly none."""
     return is_known(walked_list(term)[1])

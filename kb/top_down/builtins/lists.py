@@ -15,7 +15,6 @@ from casper.kb.top_down.builtins.builtin import (
     has_end,
     is_ground,
     is_known,
-    is_proper,
     no_meaning,
     proper_items,
     walked_list,
@@ -137,5 +136,3 @@ LISTS = {
     ("$known", 1): Builtin(_is_known, always),
     ("$open", 1): Builtin(_is_open, always),
 }
-
-__all__ = ["LISTS", "is_proper"]
