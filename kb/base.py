@@ -165,7 +165,7 @@ class KnowledgeBase(ClauseStore):
                 seen.add(key)
                 found = {name: value for name, value in zip(names, row) if value is not name}
                 if plain:
-                    yield Compound([part if is_closed else found.get(part, part) for part, is_closed in zip(atom, closed)])
+                    yield Compound([p if is_closed else found.get(p, p) for p, is_closed in zip(atom, closed)])
                     continue
                 yield Compound([p if is_closed else substitute(p, found) for p, is_closed in zip(atom, closed)])
 
