@@ -12,6 +12,7 @@ from collections.abc import Callable, Hashable, Iterator, Sequence
 from difflib import get_close_matches
 from functools import lru_cache
 
+from casper.kb.errors import BudgetExceeded
 from casper.kb.goals.goals import Predicate
 from casper.kb.program.refusals import check_defined, undefined_sentence
 from casper.kb.reasons.proof import Proof
@@ -78,7 +79,13 @@ class KnowledgeBase(ClauseStore):
         atom = self._statement(statement)
         if relation is not None and is_ground(atom):
             return atom.args in relation
-        return next(self.instances(atom), None) is not None
+        try:
+            return next(self.instances(atom), None) is not None
+        except BudgetExceeded:
+            if model.listed is not None or not model.keeps(atom.indicator):
+                raise
+            _ = model.relations  # top-down went too far: list what follows, and look there
+            return next(self.instances(atom), None) is not None
 
     def _index(self, model: Model) -> None:
         """One set of every stored statement that holds, where there are not too many: the fast way to a yes."""

@@ -113,3 +113,10 @@ def test_a_plan_says_what_is_stored_tabled_and_built_in():
     assert "worked out once (tabled)" in str(base.plan("r(a, b)"))
     assert "[built-in]" in str(base.plan("length(L, 2)"))
     assert "nothing proves it" in str(base.plan("\\+ q(a)"))
+
+
+def test_a_statement_too_far_to_search_for_is_looked_up_in_what_is_listed_then(monkeypatch):
+    monkeypatch.setattr(on_demand, "LISTED_UP_TO", -1)
+    base = large("path(X, Y) :- edge(X, Y).", "path(X, Y) :- edge(X, Z), path(Z, Y).", edge=chain(700))
+    assert not base.ask("path(0, nowhere)") and base._model.listed is not None
+    assert base.ask("path(0, 700)")
