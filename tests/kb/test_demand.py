@@ -118,5 +118,5 @@ def test_a_plan_says_what_is_stored_tabled_and_built_in():
 def test_a_statement_too_far_to_search_for_is_looked_up_in_what_is_listed_then(monkeypatch):
     monkeypatch.setattr(on_demand, "LISTED_UP_TO", -1)
     base = large("path(X, Y) :- edge(X, Y).", "path(X, Y) :- edge(X, Z), path(Z, Y).", edge=chain(700))
-    assert not base.ask("path(0, nowhere)") and base._model.listed is not None
+    assert not base.ask("path(X, X)") and base._model.listed is not None
     assert base.ask("path(0, 700)")
