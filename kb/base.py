@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
@@ -34,12 +34,16 @@ from casper.kb.terms.unification import is_ground, substitute
 from casper.kb.terms.unknown import DOUBT, closed
 from casper.kb.text.reader import read_query
 from casper.kb.text.triples import triples_text
+from casper.kb.top_down.compiled.cells import variant
+from casper.kb.top_down.linking import Code, Links
+from casper.kb.top_down.plan import Plan, plan_of
 from casper.kb.top_down.solve import DEFAULT_BUDGET
 
 if TYPE_CHECKING:
     from casper.kb.relations.tables.answers import Answers
 
 Asked: TypeAlias = tuple[tuple[Variable, ...], tuple[Literal, ...]]  # what is asked for, and the conditions
+Doubted: TypeAlias = tuple[tuple[Variable, ...], Row, str]  # what is asked for, an undefined answer, and the reason
 _query_of_text = lru_cache(maxsize=1024)(read_query)
 
 
@@ -61,9 +65,15 @@ class KnowledgeBase(ClauseStore):
         try:
             if statement in self._true:
                 return True
+            if statement in self._false:
+                return False
         except TypeError:  # not hashable, so no statement: `_asked` says so
-            pass
-        return self._asked(statement)
+            return self._asked(statement)
+        false = self._false
+        found = self._asked(statement)
+        if not found and false is self._false and len(false) < MOST_INDEXED:  # nothing has begun to change since
+            false.add(statement)
+        return found
 
     def _asked(self, statement: Statement) -> bool:
         """What the index of true statements does not know."""
@@ -75,7 +85,7 @@ class KnowledgeBase(ClauseStore):
             if left <= 0:
                 self._index()
         ended, found = self._ended, None
-        relation = (self._cached or self._model).relations.get((statement[0], len(statement) - 1))
+        relation = (self._cached or self._model).at_hand.get((statement[0], len(statement) - 1))
         if relation is not None:
             row = statement[1:]
             found = row in relation
@@ -90,7 +100,19 @@ class KnowledgeBase(ClauseStore):
         if self._begun != ended:  # somebody was half-way through a change: once more, when they are done
             with self.lock:
                 return self._asked(statement)
-        return next(self.instances(statement), None) is not None if found is None else found
+        return self._searched(statement) if found is None else found
+
+    @of_one_moment
+    def _searched(self, statement: Statement) -> bool:
+        """Whether some instance is found; where that is too far to search for, what follows is listed first."""
+        atom, model = self._statement(statement), self._model
+        try:
+            return next(self.instances(atom), None) is not None
+        except BudgetExceeded:
+            if model.listed is not None or not model.keeps(atom.indicator):
+                raise
+            _ = model.relations
+            return next(self.instances(atom), None) is not None
 
     @of_one_moment
     def truth(self, statement: Statement) -> str:
@@ -111,9 +133,9 @@ class KnowledgeBase(ClauseStore):
     def _index(self) -> None:
         """One set of every stored statement that holds, where there are not too many: the fast way to a yes."""
         with self.lock:
-            self._index_in, model = None, self._model
-            if sum(map(len, model.relations.values())) <= MOST_INDEXED:
-                stored = model.relations.items()
+            self._index_in, listed = None, self._model.listed
+            if listed is not None and sum(map(len, listed.values())) <= MOST_INDEXED:
+                stored = listed.items()
                 self._true = {(name, *row) for (name, _), relation in stored for row in relation}
 
     @of_one_moment
@@ -147,6 +169,18 @@ class KnowledgeBase(ClauseStore):
         answers = self._answers(alternatives, inner, limit, timeout, budget, cancelled, undefined)
         return ({name: value for name, value in zip(names, row)} for names, row in answers)
 
+    @of_one_moment
+    def plan(self, goal: str) -> Plan:
+        """How a query would be answered: each condition's turn, index and method, and those of the rules behind it.
+
+        Raises:
+            ReadError, ProgramError: as `query`.
+        """
+        links, (alternatives, inner) = self._model.links, self._plain_query(goal)
+        if inner:
+            links = Links(links.relations, Code({**links.code.clauses, **inner}), links.computed)
+        return plan_of([links.code.query(body) for _, body in alternatives], links)
+
     def _plain_query(self, goal: str) -> tuple[list[Asked], dict[Indicator, tuple[Clause, ...]]]:
         """The alternatives of a query, each with what it asks for, and the clauses of goals inside it."""
         known: dict[Indicator, tuple[Clause, ...]] = {}
@@ -177,28 +211,30 @@ class KnowledgeBase(ClauseStore):
         cancelled: Callable[[], bool] | None,
         undefined: bool,
     ) -> Iterator[tuple[list[str], Row]]:
-        seen: set[tuple[tuple[Variable, ...], Row]] = set()
-        doubts: dict[tuple[tuple[Variable, ...], Row], str] = {}
+        if limit is not None and limit <= 0:
+            return
+        seen: set[Hashable] = set()
+        doubts: dict[Hashable, Doubted] = {}
         solver = self.solver(budget)
         solver.deadline = None if timeout is None else time.monotonic() + timeout
         solver.cancelled = cancelled
-        if inner:
-            solver.clauses = {**solver.clauses, **inner}
+        solver = solver.with_inner(inner)
         for variables, body in alternatives:
             names = [variable.name for variable in variables]
             for solution in solver.possible(body):
-                answer = variables, tuple(substitute(variable, solution) for variable in variables)
+                row = tuple([substitute(variable, solution) for variable in variables])
+                key = variables, variant(row)
                 if DOUBT in solution:
-                    doubts.setdefault(answer, str(solution[DOUBT]))
-                elif answer not in seen:
-                    if limit is not None and len(seen) >= limit and not undefined:
-                        return
-                    seen.add(answer)
+                    doubts.setdefault(key, (variables, row, str(solution[DOUBT])))
+                elif key not in seen:
+                    seen.add(key)
                     if not undefined:
-                        yield names, answer[1]
-        left = {answer: doubt for answer, doubt in doubts.items() if answer not in seen}
+                        yield names, row
+                        if len(seen) == limit:  # the next answer may be far away
+                            return
+        left = [doubt for key, doubt in doubts.items() if key not in seen]
         if undefined:
-            yield from (([v.name for v in variables], row) for variables, row in islice(left, limit))
+            yield from (([v.name for v in variables], row) for variables, row, _ in islice(left, limit))
         elif left and (limit is None or len(seen) < limit):
             raise Undefined(_undefined_answers(left))
 
@@ -211,16 +247,18 @@ class KnowledgeBase(ClauseStore):
         """
         atom = self._statement(statement)
         self.check_known(atom.indicator)
-        seen: set[Compound] = set()
-        doubts: dict[Compound, None] = {}
+        seen: set[Hashable] = set()
+        doubts: dict[Hashable, Compound] = {}
+        closed_ = [is_ground(part) for part in atom]  # a long list is not copied for every answer
         for solution in self.solver().possible([Literal(atom)]):
-            instance: Compound = substitute(atom, solution)
+            parts = [part if is_closed else substitute(part, solution) for part, is_closed in zip(atom, closed_)]
+            instance, key = Compound(parts), variant([p for p, is_closed in zip(parts, closed_) if not is_closed])
             if DOUBT in solution:
-                doubts.setdefault(instance)
-            elif instance not in seen:
-                seen.add(instance)
+                doubts.setdefault(key, instance)
+            elif key not in seen:
+                seen.add(key)
                 yield instance
-        doubtful = next((instance for instance in doubts if instance not in seen), None)
+        doubtful = next((instance for key, instance in doubts.items() if key not in seen), None)
         if doubtful is not None:
             raise Undefined((doubt_of(doubtful, self.solver()) or Doubt(doubtful)).sentence)
 
@@ -232,7 +270,7 @@ class KnowledgeBase(ClauseStore):
             Undefined: after the last one, when some other row is undefined.
         """
         if (name, arity) in self._model.program.clauses:
-            relation = self.stored((name, arity))
+            relation = self._model.relations.get((name, arity))
             if relation is not None:
                 yield from list(relation)
                 for row in relation.undefined or ():
@@ -301,6 +339,7 @@ class KnowledgeBase(ClauseStore):
         """
         atom = self._statement(statement)
         self.check_known(atom.indicator)
+        _ = self._model.relations  # reasons are told of what is listed
         try:
             if not is_ground(atom):
                 first = next((a for a in self.instances(atom) if is_ground(a)), None)
@@ -321,7 +360,7 @@ class KnowledgeBase(ClauseStore):
         if atom.indicator not in self._model.program.clauses:
             return Refusal(atom, undefined=self._undefined(atom.indicator))
         history = self._history(history)
-        relation = self._model.relations.get(atom.indicator)
+        relation = self._model.relations.get(atom.indicator)  # reasons are told of what is listed
         if relation is not None and atom.args in relation:  # ground, so only constraints can object
             violations = tuple(self._violations(atom, history))
             return Refusal(atom, (), violations, provable=True) if violations else None
@@ -355,8 +394,8 @@ class KnowledgeBase(ClauseStore):
         atom = self._statement(statement)
         if atom.indicator not in self._model.program.clauses:
             return Verdict(atom, False, atom, Refusal(atom, undefined=self._undefined(atom.indicator)))
-        history = self._history(history)
-        verdict = verify(atom, self.solver(history=history), self._model.constraints)
+        history, constraints = self._history(history), self._model.constraints  # which may list: before the search
+        verdict = verify(atom, self.solver(history=history), constraints)
         if verdict.valid is None:
             return self._with_reason(verdict, history)
         if verdict.valid:
@@ -435,9 +474,9 @@ class KnowledgeBase(ClauseStore):
         return f"there is no action {name}/{arity} here" + (f"; did you mean {close[0]}?" if close else "")
 
 
-def _undefined_answers(left: dict[tuple[tuple[Variable, ...], Row], str]) -> str:
+def _undefined_answers(left: Sequence[Doubted]) -> str:
     """The sentence for answers that are undefined."""
-    (variables, row), reason = next(iter(left.items()))
+    variables, row, reason = left[0]
     shown = ", ".join(f"{v.name} = {term_text(closed(value))}" for v, value in zip(variables, row)) or "the answer"
     more = f" and {len(left) - 1} more" if len(left) > 1 else ""
     return f"{shown}{more} {'are' if more else 'is'} undefined: {reason}"

@@ -25,6 +25,7 @@ from casper.kb.checks.needs import needs_graph, negative_circles, unneeded
 from casper.kb.errors import CasperError, Place, ProgramError
 from casper.kb.program.control import plain_clauses
 from casper.kb.program.declarations import declaration
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence
 from casper.kb.text.recovery import read_tolerantly
 
@@ -82,7 +83,7 @@ def check_sentences(sentences: Sequence[Sentence], context: Context = _ALONE) ->
         plain.extend(parts)
         mistakes = [*own_mistakes(parts), *undefined_names(parts, known, context.half_read)]
         findings.extend(mistakes)
-        if mistakes or not needed_by(parts) <= {*known, *SYSTEM}:
+        if mistakes or not needed_by(parts) <= {*known, *SYSTEM, *BUILTINS}:
             faulty.append(clause)
     findings.extend(negative_circles([c for c in plain if not c.is_constraint]))
     findings.extend(single_variables(sentences))

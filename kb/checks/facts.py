@@ -9,6 +9,7 @@ from casper.kb.checks.finding import Finding, error, warning
 from casper.kb.errors import CasperError, Undefined
 from casper.kb.program.control import is_control, plain_clauses
 from casper.kb.reasons.proof import Proof
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term
@@ -68,7 +69,8 @@ def _is_empty(kb: KnowledgeBase, indicator: Indicator, known: dict[Indicator, bo
     """Whether no row of the predicate is known; a search that does not end says nothing."""
     if indicator not in known:
         pattern = Compound((indicator[0], *(Variable(f"X{at}") for at in range(indicator[1]))))
-        known[indicator] = indicator not in SYSTEM and _holds(kb, [Literal(pattern)]) is False
+        given = indicator in SYSTEM or (indicator in BUILTINS and not kb.defines(*indicator))
+        known[indicator] = not given and _holds(kb, [Literal(pattern)]) is False
     return known[indicator]
 
 

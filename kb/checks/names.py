@@ -11,20 +11,20 @@ from casper.kb.program.control import is_control
 from casper.kb.program.listing import is_range_restricted
 from casper.kb.program.program import analyse
 from casper.kb.program.refusals import undefined_sentence
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Production, Sentence, is_auxiliary
 from casper.kb.terms.control import CONTROL
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.text.writer import literal_text
 
 _PROLOG = {
-    "call": "state the condition itself",
-    "member": "state a fact for each member",
     "assert": "add facts from Python",
     "assertz": "add facts from Python",
     "retract": "remove facts from Python",
     "write": "print from Python",
 }
-_GUARDED = {name for name, _ in (*SYSTEM, *CONTROL)} | {"=", "is"}
+_GUARDED = {name for name, _ in (*SYSTEM, *CONTROL)} | {"=", "is", "call"}
+_GIVEN = BUILTINS | set(SYSTEM)
 
 
 def needed_by(parts: Iterable[Clause]) -> set[Indicator]:
@@ -41,7 +41,7 @@ def undefined_names(
     """
     for literal in (x for part in parts for x in part.body):
         needed = literal.needed
-        if needed is None or needed in SYSTEM or needed in known or is_auxiliary(needed) or needed[0] in half_read:
+        if needed is None or needed in _GIVEN or needed in known or is_auxiliary(needed) or needed[0] in half_read:
             continue
         sentence = undefined_sentence(needed, known)
         if needed[0] in _PROLOG and "did you mean" not in sentence:
@@ -55,7 +55,7 @@ def own_mistakes(parts: Sequence[Clause]) -> Iterator[Finding]:
     if not clause.body and clause.head.functor not in _GUARDED:
         return
     try:
-        analyse(parts, needed_by(parts) - set(SYSTEM) - {part.head.indicator for part in parts})
+        analyse(parts, needed_by(parts) - _GIVEN - {part.head.indicator for part in parts})
     except ProgramError as mistake:
         yield finding_of(mistake, clause.place)
 

@@ -1,4 +1,4 @@
-"""Directives that say something about predicates: ``:- dynamic``, ``:- table``, ``:- discontiguous``."""
+"""Directives that say something about predicates: ``dynamic``, ``stored``, ``table``, ``discontiguous``."""
 
 from __future__ import annotations
 
@@ -31,6 +31,7 @@ class Declaration:
     """What a directive declares."""
 
     dynamic: tuple[Indicator, ...] = ()
+    stored: tuple[Indicator, ...] = ()
     least: dict[Indicator, Moded] = field(default_factory=dict)
 
 
@@ -41,18 +42,19 @@ def declaration(directive: Directive) -> Declaration:
         ProgramError: a directive nobody knows.
     """
     term = directive.term
-    if term.arity == 1 and term.functor in ("dynamic", "discontiguous", "table"):
+    if term.arity == 1 and term.functor in ("dynamic", "discontiguous", "stored", "table"):
         items = list(_items(term[1]))
         indicators = [_indicator(item) for item in items]
         if term.functor == "table":
             moded = {i: m for item in items for i, m in [_moded(item)] if m is not None}
             if all(i is not None or _moded(item)[0] is not None for i, item in zip(indicators, items)):
-                return Declaration((), {i: m for i, m in moded.items() if i is not None})
+                return Declaration(least={i: m for i, m in moded.items() if i is not None})
         elif None not in indicators:
-            return Declaration(tuple(i for i in indicators if i is not None) if term.functor == "dynamic" else ())
+            named = tuple(i for i in indicators if i is not None)
+            return Declaration(named if term.functor == "dynamic" else (), named if term.functor == "stored" else ())
     place = directive.place
     sentence = f"the only directive is :- dynamic(name/arity), not {term_text(as_term(term))}"
-    if term.functor in ("table", "discontiguous"):
+    if term.functor in ("table", "discontiguous", "stored"):
         sentence = f"{term.functor} needs name/arity" + (" or path(_, _, min)" if term.functor == "table" else "")
     raise ProgramError(sentence, place)
 

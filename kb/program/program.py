@@ -12,12 +12,14 @@ from functools import cached_property
 from itertools import chain
 from typing import TypeAlias
 
+from casper.kb.errors import ProgramError
 from casper.kb.program.control import plain_clauses
 from casper.kb.program.declarations import Moded
 from casper.kb.program.listing import unlisted
 from casper.kb.program.refusals import check_bound, check_computable, check_defined, check_own, checked_constraint
 from casper.kb.program.strata import check_least, components_of, dependents, levels_of, negative_circles
 from casper.kb.relations.relation import Row
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import DID, NOWHERE, SYSTEM, Clause, Indicator
 from casper.kb.terms.origins import Origin, clause_behind
 from casper.kb.terms.terms import Compound
@@ -123,8 +125,11 @@ def _split(rules: Mapping[Indicator, tuple[Clause, ...]], least: Mapping[Indicat
     check_least(rules, least)
     circles = [group for group, _, _ in negative_circles(rules)]
     situational = dependents(rules, set(SYSTEM))
-    top_down = situational | unlisted(rules, least)
+    top_down = situational | unlisted(rules, least) | dependents(rules, set(BUILTINS - rules.keys()))
     top_down = dependents(rules, top_down) | top_down
+    for name, arity in sorted(top_down & least.keys()):
+        sentence = f"{name}/{arity} cannot keep one row for each key: its rows cannot all be listed"
+        raise ProgramError(sentence)
     apart = [*circles, *(frozenset(group) for group in components_of(rules) if any(i in least for i in group))]
     circle_of = {i: number for number, group in enumerate(apart, 1) for i in group}
     by_level: dict[tuple[int, int], list[Indicator]] = {}

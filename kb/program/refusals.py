@@ -6,6 +6,7 @@ from collections.abc import Collection
 from difflib import get_close_matches
 
 from casper.kb.errors import Place, ProgramError
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal, is_auxiliary
 from casper.kb.terms.comparison import misspelt
 from casper.kb.terms.control import CONTROL
@@ -17,7 +18,7 @@ from casper.kb.terms.values.arithmetic import CONSTANTS, FUNCTIONS
 def check_own(indicator: Indicator, place: Place) -> None:
     """Refuse to define what the system defines."""
     name, arity = indicator
-    if indicator in SYSTEM or indicator in CONTROL or (name in COMPARISONS and arity == 2):
+    if indicator in SYSTEM or indicator in CONTROL or indicator == ("call", 1) or (name in COMPARISONS and arity == 2):
         sentence = f"{name}/{arity} is defined by the system; choose another name"
         raise ProgramError(sentence, place if place.line else None)
 
@@ -28,9 +29,10 @@ def check_defined(literal: Literal, known: Collection[Indicator]) -> None:
     Raises:
         ProgramError: naming the predicate, its place, and what may have been meant.
     """
-    if literal.needed is not None and literal.needed not in SYSTEM and literal.needed not in known:
+    needed = literal.needed
+    if needed is not None and needed not in SYSTEM and needed not in known and needed not in BUILTINS:
         place = literal.place if literal.place.line else None
-        raise ProgramError(undefined_sentence(literal.needed, known), place)
+        raise ProgramError(undefined_sentence(needed, known), place)
 
 
 def check_computable(literal: Literal) -> None:

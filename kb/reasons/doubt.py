@@ -18,7 +18,8 @@ from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
 from casper.kb.terms.unknown import DOUBT, UNKNOWN, closed, opened
 from casper.kb.terms.values.arithmetic import EvaluationFailed
 from casper.kb.text.writer import literal_text
-from casper.kb.top_down.solve import Solver, fresh_numbers, next_ready
+from casper.kb.top_down.compiled.cells import serials as fresh_numbers
+from casper.kb.top_down.solve import Solver
 
 SHOWN_AT_ENDS = 4  # conditions at each end of a long way that a sentence names
 MOST_ATOMS = 5_000  # looked at in search of a circle
@@ -227,7 +228,7 @@ class _Search:
                 failure = _failure(literal)
                 if failure:
                     yield Step(atom, clause, shown, written, failure)
-            elif next_ready([literal], {}) is None:
+            elif self.solver.next_of([literal], {}) is None:
                 continue  # what it asks about came from a value that could not be worked out
             elif not (literal.is_strict or is_ground(literal.atom)):  # a row with an unknown value was met
                 needs = self._undefined_atom(literal.atom)

@@ -100,7 +100,7 @@ class Constraints:
                     yield _told(clause, clause.body, solution)
                 if solution is not None or not failures:
                     continue
-            search = Solver(relations, solver.clauses, solver.computed, solver.budget, floundering_fails=True)
+            search = solver.over(relations, floundering_fails=True)
             violation = _violation(clause, search, open_)
             if violation is not None:
                 yield violation

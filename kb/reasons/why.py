@@ -9,6 +9,7 @@ from typing import TypeAlias
 from casper.kb.reasons.counting import counted
 from casper.kb.reasons.proof import Proof
 from casper.kb.relations.relation import Columns, Relation, Row
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.origins import Origin, clause_behind
 from casper.kb.terms.terms import Compound, predication
@@ -33,6 +34,9 @@ class _Earlier:
     def matching(self, columns: Columns, key: Row) -> Sequence[Row]:
         round_of, before = self.relation.round_of, self.round
         return [row for row in self.relation.matching(columns, key) if round_of(row) < before]
+
+    def __contains__(self, row: object) -> bool:
+        return row in self.relation and self.relation.round_of(row) < self.round  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +77,9 @@ def _prove(atom: Compound, known: _Known) -> Proof | None:
         return _stored_proof(atom, known) if atom.args in relation else None
     if atom.indicator in solver.computed:
         return _computed_proof(atom, known)
+    if atom.indicator in BUILTINS and atom.indicator not in solver.clauses:
+        holds = next(solver.solve([Literal(atom)]), None) is not None
+        return Proof(Literal(atom), None, (), "computed") if holds else None
     for clause in solver.clauses.get(atom.indicator, ()):
         if not clause.body and unify(clause.head, atom, {}) is not None:
             return Proof(Literal(atom), clause)
@@ -130,7 +137,7 @@ def _earlier_body(atom: Compound, clause: Clause, known: _Known, everywhere: boo
             if is_earlier:
                 relations[literal.needed] = _Earlier(relation, round_)  # type: ignore[assignment]
     solver = known.solver
-    search = Solver(relations, solver.clauses, solver.computed, solver.budget)
+    search = solver.over(relations)
     for body in _instances(atom, clause, search):
         if all(next(solver.solve([x]), None) is not None for x in body if x.is_strict):  # in all rows, not the earlier
             return body

@@ -19,7 +19,7 @@ from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
 from casper.kb.terms.values.arithmetic import EvaluationFailed
 from casper.kb.text.lines import one_line
-from casper.kb.top_down.solve import Solver, next_ready
+from casper.kb.top_down.solve import Solver
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,7 +170,7 @@ def first_failing(body: Sequence[Literal], bindings: Bindings, solver: Solver) -
 
 def _fails(literal: Literal, bindings: Bindings, solver: Solver) -> bool:
     """Whether a condition that was given up does fail; one that only lost what binds it is undecided."""
-    if next_ready([literal], bindings) is None:
+    if solver.next_of([literal], bindings) is None:
         return False
     try:
         search = replace(solver, floundering_fails=False)
@@ -186,7 +186,7 @@ def _give_up(
     if not body:
         yield [], bindings
         return
-    ready = next_ready(body, bindings)
+    ready = solver.next_of(body, bindings)
     at = 0 if ready is None else ready
     literal, rest = body[at], body[:at] + body[at + 1 :]
     if ready is not None:

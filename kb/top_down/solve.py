@@ -11,8 +11,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import count
-from typing import TypeAlias
+from typing import Self, TypeAlias
 
 from casper.kb.errors import BudgetExceeded, ProgramError, Undefined
 from casper.kb.relations.relation import Relation
@@ -24,12 +23,12 @@ from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute
 from casper.kb.terms.unknown import DOUBT, opened
 from casper.kb.terms.values.aggregates import aggregate
 from casper.kb.terms.values.arithmetic import EvaluationFailed
+from casper.kb.top_down.compiled.cells import serials as fresh_numbers
 
 Computed: TypeAlias = Callable[[Compound], Iterator[Compound]]
 BETWEEN_LOOKS = 64  # steps between two looks at the clock
 DEFAULT_BUDGET = 200_000
 DEFAULT_DEPTH = 150  # Python's own stack bounds a chain of rules; deeper is "unknown"
-fresh_numbers = count(1)  # shared by all searches: one may hand its variables to another, through valid/1
 
 
 @dataclass
@@ -77,7 +76,7 @@ class Solver:
         if not body:
             yield bindings
             return
-        at = next_ready(body, bindings)
+        at = self.next_of(body, bindings)
         if at is None:
             if DOUBT in bindings:  # what stands open may be anything, because an evaluation failed
                 yield bindings
@@ -88,6 +87,14 @@ class Solver:
         literal, rest = body[at], [*body[:at], *body[at + 1 :]]
         for extended in self.answers(literal, bindings, depth):
             yield from self._solve(rest, extended, depth)
+
+    def next_of(self, body: Sequence[Literal], bindings: Bindings) -> int | None:
+        """Which condition is decided next; None when every one has to wait."""
+        return next_ready(body, bindings)
+
+    def over(self, relations: Mapping[Indicator, Relation], *, floundering_fails: bool = False) -> Self:
+        """The same search over other relations."""
+        return replace(self, relations=relations, steps=0, floundering_fails=floundering_fails, doubts_hold=False)
 
     def answers(self, literal: Literal, bindings: Bindings, depth: int = 0) -> Iterator[Bindings]:
         """Every extension of the bindings under which one ready condition holds, the doubtful among them."""

@@ -15,7 +15,8 @@ from casper.kb.relations.undefined import UndefinedRows
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.unification import Bindings, substitute, unify
 from casper.kb.terms.unknown import closed, opened
-from casper.kb.top_down.solve import Solver, fresh_numbers
+from casper.kb.top_down.compiled.cells import serials as fresh_numbers
+from casper.kb.top_down.solve import Solver
 
 Failure: TypeAlias = tuple[Clause, Bindings]  # a rule, and what was known where an evaluation failed
 NO_END = 10**15  # steps: rows are bounded, and each is looked at once
