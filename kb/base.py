@@ -30,7 +30,7 @@ from casper.kb.store.clause_store import MOST_INDEXED, NO_HISTORY, ClauseStore, 
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
-from casper.kb.terms.unification import is_ground, substitute
+from casper.kb.terms.unification import Bindings, is_ground, substitute, variables_of
 from casper.kb.terms.unknown import DOUBT, closed
 from casper.kb.text.reader import read_query
 from casper.kb.text.triples import triples_text
@@ -221,11 +221,10 @@ class KnowledgeBase(ClauseStore):
         solver = solver.with_inner(inner)
         for variables, body in alternatives:
             names = [variable.name for variable in variables]
-            for solution in solver.possible(body):
-                row = tuple([substitute(variable, solution) for variable in variables])
+            for row, doubt in solver.rows(body, variables):
                 key = variables, variant(row)
-                if DOUBT in solution:
-                    doubts.setdefault(key, (variables, row, str(solution[DOUBT])))
+                if doubt:
+                    doubts.setdefault(key, (variables, row, doubt))
                 elif key not in seen:
                     seen.add(key)
                     if not undefined:
@@ -249,11 +248,13 @@ class KnowledgeBase(ClauseStore):
         self.check_known(atom.indicator)
         seen: set[Hashable] = set()
         doubts: dict[Hashable, Compound] = {}
-        closed_ = [is_ground(part) for part in atom]  # a long list is not copied for every answer
-        for solution in self.solver().possible([Literal(atom)]):
-            parts = [part if is_closed else substitute(part, solution) for part, is_closed in zip(atom, closed_)]
-            instance, key = Compound(parts), variant([p for p, is_closed in zip(parts, closed_) if not is_closed])
-            if DOUBT in solution:
+        names = list(variables_of(atom))
+        parts = [(part, is_ground(part)) for part in atom]  # a long list is not copied for every answer
+        for row, doubt in self.solver().rows([Literal(atom)], names):
+            values: Bindings = {name: value for name, value in zip(names, row) if value is not name}
+            instance = Compound([part if is_closed else substitute(part, values) for part, is_closed in parts])
+            key = variant(row)
+            if doubt:
                 doubts.setdefault(key, instance)
             elif key not in seen:
                 seen.add(key)

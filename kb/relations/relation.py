@@ -91,7 +91,8 @@ class Relation:
 
 
 def copied(relation: Relation) -> Relation:
-    """A plain relation of the same rows and rounds."""
+    """A plain relation of the same rows and rounds; what is undefined is never changed in place, so both have it."""
     found = Relation(relation.name, relation.arity)
     found.rows = {row: relation.round_of(row) for row in relation}
+    found.undefined = relation.undefined
     return found

@@ -20,15 +20,16 @@ from dataclasses import dataclass, field, replace
 from typing import Self
 
 from casper.kb.errors import Undefined
-from casper.kb.relations.relation import Relation
+from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator, Literal
-from casper.kb.terms.unification import Bindings
+from casper.kb.terms.terms import Variable
+from casper.kb.terms.unification import Bindings, substitute
 from casper.kb.terms.unknown import DOUBT
 from casper.kb.terms.values.arithmetic import EvaluationFailed
 from casper.kb.top_down.compiled.code import NotCarried
 from casper.kb.top_down.linking import Code
 from casper.kb.top_down.plain import PlainSolver
-from casper.kb.top_down.search import Search
+from casper.kb.top_down.search import Search, names_of
 
 _UNSETTLED = (NotCarried, EvaluationFailed, Undefined)
 
@@ -59,7 +60,28 @@ class Answering(PlainSolver):
                     return
             except _UNSETTLED:
                 pass
-        yield from self._plain().possible(body, given)
+        yield from self.plain().possible(body, given)
+
+    def rows(self, body: Sequence[Literal], names: Sequence[Variable]) -> Iterator[tuple[Row, str]]:
+        """The values of some variables in every solution, with what makes it doubtful (else ``""``); as `possible`."""
+        asked = body if self.code is None else self.code.query(body)
+        columns = {name: at for at, name in enumerate(names_of(asked))}
+        wanted = [columns.get(name, -1) for name in names]
+        search = self._search()
+        try:
+            for values, certain in search.found(asked, {}):
+                if values is None or not certain:
+                    break
+                yield tuple([name if at < 0 else values[at] for at, name in zip(wanted, names)]), ""
+            else:
+                return
+        except _UNSETTLED:
+            pass
+        finally:
+            self.steps, self.code = search.steps, search.code
+        for solution in self.plain().possible(body):
+            doubt = str(solution[DOUBT]) or "it is undefined" if DOUBT in solution else ""
+            yield tuple([substitute(name, solution) for name in names]), doubt
 
     def answers(self, literal: Literal, bindings: Bindings, depth: int = 0) -> Iterator[Bindings]:
         """Every extension of the bindings under which one condition holds, the doubtful among them."""
@@ -76,7 +98,15 @@ class Answering(PlainSolver):
     def _by_machine(
         self, body: Sequence[Literal], bindings: Bindings
     ) -> Iterator[tuple[Bindings | None, bool]]:
-        search = Search(
+        search = self._search()
+        asked = body if bindings or self.code is None else self.code.query(body)
+        try:
+            yield from search.outcomes(asked, bindings)
+        finally:
+            self.steps, self.code = search.steps, search.code
+
+    def _search(self) -> Search:
+        return Search(
             self.relations,
             self.clauses,
             self.computed,
@@ -88,13 +118,8 @@ class Answering(PlainSolver):
             self.code,
             settled=True,
         )
-        asked = body if bindings or self.code is None else self.code.query(body)
-        try:
-            yield from search.outcomes(asked, bindings)
-        finally:
-            self.steps, self.code = search.steps, search.code
 
-    def _plain(self) -> PlainSolver:
+    def plain(self) -> PlainSolver:
         """Plain resolution with all its budget: what the machine spent was for nothing."""
         above = self if self.listed is None else self.listed().with_inner(self.inner)
         return PlainSolver(

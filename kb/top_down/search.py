@@ -57,13 +57,13 @@ class Search:
             Undefined: after all that is certain, where something else is neither true nor false.
             ProgramError: a condition was reached whose variables nothing binds.
         """
-        given, names = bindings or {}, _names(body)
-        return (_extended(given, names, values) for values in self._certain(self._found(body, given)))
+        given, names = bindings or {}, names_of(body)
+        return (_extended(given, names, values) for values in self._certain(self.found(body, given)))
 
     def rows(self, body: Sequence[Literal], names: Sequence[Variable]) -> Iterator[Row]:
         """The values of some of the body's variables in every answer that is certain; raises as `solve` does."""
-        columns = [_names(body).index(name) for name in names]
-        for values in self._certain(self._found(body, {})):
+        columns = [names_of(body).index(name) for name in names]
+        for values in self._certain(self.found(body, {})):
             yield tuple([values[column] for column in columns])
 
     def outcomes(
@@ -74,8 +74,8 @@ class Search:
         A last outcome without bindings says that an evaluation failed: what is not there may be undefined. Raises as
         `solve` does, but for `Undefined`.
         """
-        given, names = bindings or {}, _names(body)
-        for values, certain in self._found(body, given):
+        given, names = bindings or {}, names_of(body)
+        for values, certain in self.found(body, given):
             yield None if values is None else _extended(given, names, values), certain
 
     def _certain(self, found: Iterator[tuple[Row | None, bool]]) -> Iterator[Row]:
@@ -93,9 +93,12 @@ class Search:
         if doubtful or (uncertain and not uncertain <= set(map(variant, settled))):
             raise Undefined("whether this holds is neither true nor false: it rests on something undefined")
 
-    def _found(self, body: Sequence[Literal], given: Bindings) -> Iterator[tuple[Row | None, bool]]:
-        """The values of the body's variables in every answer, with whether it is certain; None for a doubt."""
-        names = _names(body)
+    def found(self, body: Sequence[Literal], given: Bindings) -> Iterator[tuple[Row | None, bool]]:
+        """The values of the body's variables, in their order, in every answer, with whether it is certain.
+
+        None instead of values says that an evaluation failed. Raises as `outcomes` does.
+        """
+        names = names_of(body)
         links = Links(self.relations, self._compiled, self.computed)
         plain = None if given else lookups_of(body, names, links)
         if plain is not None:
@@ -193,7 +196,8 @@ def _extended(given: Bindings, names: Sequence[Variable], values: Row) -> Bindin
     return found
 
 
-def _names(body: Sequence[Literal]) -> list[Variable]:
+def names_of(body: Sequence[Literal]) -> list[Variable]:
+    """The variables of conditions, each once, in their order."""
     return list(dict.fromkeys(variable for literal in body for variable in literal.variables()))
 
 

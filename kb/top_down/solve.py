@@ -92,6 +92,10 @@ class Solver:
         """Which condition is decided next; None when every one has to wait."""
         return next_ready(body, bindings)
 
+    def plain(self) -> Solver:
+        """The same search by resolution alone."""
+        return self
+
     def over(self, relations: Mapping[Indicator, Relation], *, floundering_fails: bool = False) -> Self:
         """The same search over other relations."""
         return replace(self, relations=relations, steps=0, floundering_fails=floundering_fails, doubts_hold=False)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from casper.kb.terms.atoms import number_text
 from casper.kb.top_down.builtins.builtin import Builtin, Outcome, Values, is_known, no_meaning
 
 
@@ -14,8 +15,10 @@ def _text(name: str, term: Any) -> str:
     Raises:
         Undefined: it is neither.
     """
-    if type(term) is str or type(term) is int or type(term) is float:
-        return str(term)
+    if type(term) is str:
+        return term
+    if type(term) is int or type(term) is float:
+        return number_text(term)
     raise no_meaning(name, "an atom", term)
 
 

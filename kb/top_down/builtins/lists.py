@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from itertools import count
 from typing import Any
 
-from casper.kb.terms.terms import Term, make_list
+from casper.kb.terms.terms import Compound, Term, make_list
+from casper.kb.terms.values.arithmetic import evaluate
 from casper.kb.top_down.builtins.builtin import (
     Builtin,
     Outcome,
@@ -68,7 +69,10 @@ def _numbers(name: str, whole: Any) -> list[int | float]:
 
 
 def _sum(whole: Any, _: Any) -> Outcome:
-    return None, sum(_numbers("sum_list/2", whole))
+    total: int | float = 0
+    for number in _numbers("sum_list/2", whole):
+        total = evaluate(Compound(("+", total, number)))
+    return None, total
 
 
 def _least(whole: Any, _: Any) -> Outcome:

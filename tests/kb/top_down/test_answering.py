@@ -101,6 +101,10 @@ def test_without_any_row_listed_the_truth_is_that_of_the_well_founded_model(text
         ("n(1). n(2). p(L) :- aggregate_all(bag(X), n(X), _), maplist(n, L).", "p([1, 2])", "true"),
         ("n(1). n(2). p(L) :- aggregate_all(bag(X), n(X), _), maplist(n, L).", "p([1, 3])", "false"),
         ("p(X, _) :- length(a, X).", "p(1, 1)", "undefined"),
+        ("p(X, _) :- sum_list([1.0e308, 1.0e308], X).", "p(1, 1)", "undefined"),
+        ("p(X, _) :- Y is 10 ** 400, sum_list([Y, 0.5], X).", "p(1, 1)", "undefined"),
+        ("p(N, _) :- Y is 10 ** 5000, atom_length(Y, N).", "p(5001, 1)", "true"),
+        ("p(X, _) :- atom_concat(a, 0.00001, X).", "p('a1.0e-5', 1)", "true"),
     ],
 )
 def test_built_ins_and_what_is_undefined_go_together(rules, statement, truth):
