@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from casper.kb.relations.columns import MOST_CODES, Ids, Interner, Table, code
 from casper.kb.terms.clauses import Clause, Indicator, Literal
-from casper.kb.terms.terms import Variable
+from casper.kb.terms.terms import Compound, Variable
 
 Frame: TypeAlias = dict[Variable, Ids]  # the values of each variable in all partial solutions, in parallel
 
@@ -28,7 +28,7 @@ def is_columnar(rules: Iterable[Clause]) -> bool:
         and all(not x.is_comparison or x.atom[0] in ("=", "\\=", "==", "\\==") for x in rule.body)
         and rule.head.arity > 0
         and all(x.is_comparison or x.atom.arity > 0 for x in rule.body)
-        and not any(_repeats_wildcard(x) for x in rule.body)
+        and not any(x.is_aggregate or _repeats_wildcard(x) for x in rule.body)
         for rule in rules
     )
 
@@ -116,9 +116,17 @@ class ColumnStratum:
 
     def _derive(self, rule: _Rule, delta: list[Ids] | None) -> list[Ids]:
         """The head's columns for every solution of the body."""
+        frame, size = self.solutions(rule.order, delta)
+        if size == 0:
+            return [np.empty(0, np.int64)] * rule.clause.head.arity
+        return [self._column(arg, frame, size) for arg in rule.clause.head.args]
+
+    def solutions(self, body: tuple[Literal, ...], delta: list[Ids] | None = None) -> tuple[Frame, int]:
+        """Every solution of a body; with a delta the first condition ranges over that, and the order stays."""
+        order = _ordered(body, None) if delta is None else body
         frame: Frame = {}
         size = 1
-        for at, literal in enumerate(rule.order):
+        for at, literal in enumerate(order):
             if literal.is_comparison:
                 frame, size = self._compare(literal, frame, size)
             elif literal.negated:
@@ -129,9 +137,11 @@ class ColumnStratum:
                 frame, size = self._join(literal, frame, size)
             if size == 0:
                 break
-        if size == 0:
-            return [np.empty(0, np.int64)] * rule.clause.head.arity
-        return [self._column(arg, frame, size) for arg in rule.clause.head.args]
+        return frame, size
+
+    def codes(self, atom: Compound, frame: Frame, size: int) -> Ids:
+        """The codes of an atom's rows, one for each solution."""
+        return code([self._column(arg, frame, size) for arg in atom.args], self.tables[atom.indicator].base, size)
 
     def _column(self, arg: object, frame: Frame, size: int) -> Ids:
         if isinstance(arg, Variable):

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from casper.kb.bottom_up.circles.columns import is_plain_circle, settle_columns
 from casper.kb.bottom_up.columnar import ColumnStratum, fits, is_columnar
+from casper.kb.bottom_up.row_fixpoint import evaluate_stratum
 from casper.kb.bottom_up.size import Room
 from casper.kb.program.program import Program
+from casper.kb.program.strata import needs
 from casper.kb.relations.column_relation import ColumnRelation
 from casper.kb.relations.columns import Interner, Table
 from casper.kb.relations.relation import Relation
-from casper.kb.terms.clauses import Indicator
+from casper.kb.relations.undefined import UndefinedRows
+from casper.kb.terms.clauses import Clause, Indicator
 
 
 def columnar_fixpoint(program: Program, most_rows: int) -> dict[Indicator, Relation] | None:
@@ -19,7 +25,8 @@ def columnar_fixpoint(program: Program, most_rows: int) -> dict[Indicator, Relat
     """
     stored = [indicator for stratum in program.strata for indicator in stratum]
     rules = [rule for indicator in stored for rule in program.rules[indicator]]
-    if not is_columnar(rules):
+    circles = [stratum for stratum in program.strata if not stratum.isdisjoint(program.circular)]
+    if program.least or not is_columnar(rules) or not all(is_plain_circle(_rules(program, c), c) for c in circles):
         return None
     wide = [i for i in stored if i[1] > 0]
     interner = Interner()
@@ -35,11 +42,36 @@ def columnar_fixpoint(program: Program, most_rows: int) -> dict[Indicator, Relat
         if len(found[0]):
             tables[indicator].add(found, 0)
     room, round_ = Room(most_rows, tables), 0
-    for stratum in program.strata:
-        of_stratum = [rule for indicator in sorted(stratum) for rule in program.rules[indicator]]
-        round_ = ColumnStratum(tables, interner, stratum, of_stratum, room.take).run(round_)
+    undefined: dict[Indicator, UndefinedRows] = {}
+    for at, stratum in enumerate(program.strata):
+        of_stratum = _rules(program, stratum)
+        if not undefined.keys().isdisjoint(needs(of_stratum)):
+            relations = _relations(program, tables, interner, undefined)
+            for later in program.strata[at:]:  # what needs undefined rows is worked out on rows
+                round_ = evaluate_stratum(program, later, relations, Room(most_rows, relations), round_)
+            return relations
+        if stratum in circles:
+            round_, open_ = settle_columns(tables, interner, stratum, of_stratum, room.take, round_)
+            undefined.update((i, UndefinedRows(*i, rows)) for i, rows in open_.items() if rows)
+        else:
+            round_ = ColumnStratum(tables, interner, stratum, of_stratum, room.take).run(round_)
+    return _relations(program, tables, interner, undefined)
+
+
+def _rules(program: Program, stratum: frozenset[Indicator]) -> list[Clause]:
+    return [rule for indicator in sorted(stratum) for rule in program.rules[indicator]]
+
+
+def _relations(
+    program: Program,
+    tables: Mapping[Indicator, Table],
+    interner: Interner,
+    undefined: Mapping[Indicator, UndefinedRows],
+) -> dict[Indicator, Relation]:
+    """The tables as relations, with the undefined rows beside them."""
+    stored = [indicator for stratum in program.strata for indicator in stratum]
     relations: dict[Indicator, Relation] = {i: Relation(*i, program.given[i]) for i in stored if i[1] == 0}
-    relations.update((i, ColumnRelation(*i, tables[i], interner)) for i in wide)
+    relations.update((i, ColumnRelation(*i, table, interner)) for i, table in tables.items())
+    for indicator, rows in undefined.items():
+        relations[indicator].undefined = rows
     return relations
-
-

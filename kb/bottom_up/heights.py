@@ -10,9 +10,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from casper.kb.bottom_up.row_fixpoint import fixpoint_of
+from casper.kb.bottom_up.circles.minimum import Within
+from casper.kb.bottom_up.size import MOST_ROWS, Room
 from casper.kb.program.program import Program
 from casper.kb.relations.relation import Relation
+from casper.kb.relations.undefined import Possible
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound
 
@@ -23,21 +25,25 @@ def least_heights(program: Program, relations: Mapping[Indicator, Relation]) -> 
     """The same rows, each with the least height of a proof as its round."""
     stored = frozenset(indicator for stratum in program.strata for indicator in stratum)
     rules = {indicator: tuple(_settled(rule) for rule in program.rules[indicator]) for indicator in stored}
-    found = {indicator: Relation(*indicator, program.given[indicator]) for indicator in stored}
+    found = {i: Relation(*i, (row for row in program.given[i] if row in relations[i])) for i in stored}
     everything = dict(found)
     everything.update((_final(indicator), relations[indicator]) for indicator in stored)
-    fixpoint_of(replace(program, rules=rules), stored, everything)
+    room = Room(MOST_ROWS, everything)
+    Within(replace(program, rules=rules), stored, everything, room, relations, Possible(everything)).run(0)
     return found
 
 
 def _settled(rule: Clause) -> Clause:
-    body = tuple(_look_up(x) if x.negated and not x.is_comparison else x for x in rule.body)
+    body = tuple(_look_up(x) if x.is_strict else x for x in rule.body)
     return replace(rule, body=body)
 
 
 def _look_up(literal: Literal) -> Literal:
-    name, _ = _final(literal.atom.indicator)
-    return Literal(Compound((name, *literal.atom.args)), True, literal.place)
+    if literal.is_aggregate:
+        what, atom, result = literal.atom.args
+        settled = Compound((_final(atom.indicator)[0], *atom.args))
+        return replace(literal, atom=Compound((literal.atom[0], what, settled, result)))
+    return replace(literal, atom=Compound((_final(literal.atom.indicator)[0], *literal.atom.args)))
 
 
 def _final(indicator: Indicator) -> Indicator:

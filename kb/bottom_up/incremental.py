@@ -4,21 +4,28 @@ For each stratum, lowest first: everything that some derivation rests on a row t
 that came) is over-deleted; what another rule still gives is put back; then what the new rows give is added. A row that
 is put back or added gets a new, later round, so proofs stay well-founded.
 
-When more rows are over-deleted than recomputing would cost, `TooMuch` asks for that instead.
+When more rows are over-deleted than recomputing would cost, `TooMuch` asks for that instead. A stratum in which
+negation runs in a circle, that counts, or that has to do with undefined rows, is always worked out anew when something
+it needs has changed.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping, MutableMapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Collection, Iterable, Mapping, MutableMapping
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TypeAlias
 
+from casper.kb.bottom_up.circles.doubts import Failure, add_undefined
 from casper.kb.bottom_up.join import Join
+from casper.kb.bottom_up.row_fixpoint import evaluate_stratum
+from casper.kb.bottom_up.size import MOST_ROWS, Room
 from casper.kb.program.program import Program
+from casper.kb.program.strata import needs
 from casper.kb.relations.relation import Columns, Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator
+from casper.kb.terms.unification import Bindings
 
 Change: TypeAlias = dict[Indicator, dict[Row, None]]
 Given: TypeAlias = Mapping[Indicator, Mapping[Row, object]]  # base facts
@@ -59,13 +66,14 @@ class Maintenance:
     program: Program
     _plans: dict[tuple[Indicator, bool], list[_Plan]] = field(init=False)
     _checks: dict[Indicator, list[Join]] = field(default_factory=dict)
+    _needed: dict[frozenset[Indicator], frozenset[Indicator]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self._plans = defaultdict(list)
         stored = {indicator for stratum in self.program.strata for indicator in stratum}
         for rule in (rule for indicator in stored for rule in self.program.rules[indicator]):
             for at, literal in enumerate(rule.body):
-                if not literal.is_comparison:
+                if not literal.is_comparison and not literal.is_aggregate:
                     self._plans[literal.atom.indicator, literal.negated].append(_Plan(rule, at))
 
     def update(
@@ -80,20 +88,79 @@ class Maintenance:
         """
         came: Change = defaultdict(dict)
         went: Change = defaultdict(dict)
+        blurred: set[Indicator] = set()  # predicates whose undefined rows have changed
         for stratum in self.program.strata:
+            changed = {i for rows in (added, removed, came, went) for i in rows if rows[i]} | blurred
+            if changed.isdisjoint(stratum) and changed.isdisjoint(self._needs(stratum)):
+                continue
+            if self._is_blurred(stratum, relations, blurred):
+                round_ = self._renew(given, relations, stratum, came, went, blurred, round_)
+                continue
+            failures: list[Failure] = []
             disturbed = removed or came or went
             over: Change = self._overdelete(given, relations, stratum, removed, came, went) if disturbed else {}
             for indicator, rows in over.items():
                 for row in rows:
                     relations[indicator].remove(row)
             fresh: Change = {i: dict(rows) for i, rows in added.items() if i in stratum}
-            self._rederive(given, relations, over, fresh)
-            round_, new = self._insert(relations, stratum, fresh, came, went, round_)
+            self._rederive(given, relations, over, fresh, failures)
+            round_, new = self._insert(relations, stratum, fresh, came, went, round_, failures)
             for indicator in {*over, *new}:
                 old, now = over.get(indicator, {}), new.get(indicator, {})
                 came[indicator] = {row: None for row in now if row not in old}
                 went[indicator] = {row: None for row in old if row not in now}
+            if failures:
+                rules = [rule for i in stratum for rule in self.program.rules[i]]
+                add_undefined(rules, stratum, relations, failures, Room(MOST_ROWS, relations))
+                blurred.update(i for i in stratum if relations[i].undefined is not None)
         return round_
+
+    def _needs(self, stratum: frozenset[Indicator]) -> frozenset[Indicator]:
+        found = self._needed.get(stratum)
+        if found is None:
+            rules = (rule for i in stratum for rule in self.program.rules[i])
+            found = self._needed[stratum] = frozenset(needs(rules))
+        return found
+
+    def _is_blurred(
+        self, stratum: frozenset[Indicator], relations: Mapping[Indicator, Relation], blurred: set[Indicator]
+    ) -> bool:
+        """Whether undefined rows play a part in a stratum, or may come to."""
+        needed = self._needs(stratum)
+        if any(x.is_aggregate for i in stratum for rule in self.program.rules[i] for x in rule.body):
+            return True
+        if not (stratum.isdisjoint({*self.program.circular, *self.program.least}) and needed.isdisjoint(blurred)):
+            return True
+        return any(relations[i].undefined is not None for i in (*stratum, *needed) if i in relations)
+
+    def _renew(
+        self,
+        given: Given,
+        relations: MutableMapping[Indicator, Relation],
+        stratum: frozenset[Indicator],
+        came: Change,
+        went: Change,
+        blurred: set[Indicator],
+        round_: int,
+    ) -> int:
+        """Work a stratum out anew, and note what that changes; the last round used."""
+        program = replace(self.program, given=given)  # type: ignore[arg-type]
+        anew = {i: relations[i] for i in self._needs(stratum) if i in relations}
+        anew.update((i, Relation(*i, given[i])) for i in stratum)
+        last = evaluate_stratum(program, stratum, anew, Room(MOST_ROWS, anew), round_)
+        for indicator in stratum:
+            relation, now = relations[indicator], anew[indicator]
+            before = list(relation)
+            went[indicator] = {row: None for row in before if row not in now}
+            came[indicator] = {row: None for row in now if row not in relation}
+            for row in before:
+                relation.remove(row)
+            for row, at in now.rows.items():
+                relation.add(row, at)
+            if set(relation.undefined or ()) != set(now.undefined or ()):
+                blurred.add(indicator)
+            relation.undefined = now.undefined
+        return last
 
     def _overdelete(
         self,
@@ -143,13 +210,18 @@ class Maintenance:
                 plan.gave.run(view, rows, found[plan.head].setdefault)
 
     def _rederive(
-        self, given: Given, relations: Mapping[Indicator, Relation], over: Change, fresh: Change
+        self,
+        given: Given,
+        relations: Mapping[Indicator, Relation],
+        over: Change,
+        fresh: Change,
+        failures: list[Failure],
     ) -> None:
         """Of the rows that were over-deleted, those that a rule gives from what is left."""
         for indicator, rows in over.items():
             checks = self._checks_of(indicator)
             for row in rows:
-                if row in given[indicator] or any(check.derives(relations, row) for check in checks):
+                if row in given[indicator] or any(_derives(check, relations, row, failures) for check in checks):
                     fresh.setdefault(indicator, {})[row] = None
 
     def _checks_of(self, indicator: Indicator) -> list[Join]:
@@ -166,11 +238,12 @@ class Maintenance:
         came: Change,
         went: Change,
         round_: int,
+        failures: list[Failure],
     ) -> tuple[int, Change]:
         """Add rows and all they give, round by round; everything that was new."""
         for changed, negated in ((came, False), (went, True)):
             for indicator, rows in changed.items():
-                self._give(indicator, negated, rows, stratum, relations, fresh)
+                self._give(indicator, negated, rows, stratum, relations, fresh, failures)
         new: Change = defaultdict(dict)
         while fresh:
             round_ += 1
@@ -178,7 +251,7 @@ class Maintenance:
             fresh = {}
             for indicator, added in delta.items():
                 new[indicator].update(dict.fromkeys(added))
-                self._give(indicator, False, added, stratum, relations, fresh)
+                self._give(indicator, False, added, stratum, relations, fresh, failures)
         return round_, new
 
     def _give(
@@ -189,13 +262,14 @@ class Maintenance:
         stratum: frozenset[Indicator],
         relations: Mapping[Indicator, Relation],
         fresh: Change,
+        failures: list[Failure],
     ) -> None:
         if not rows:
             return
         for plan in self._plans.get((indicator, negated), ()):
             if plan.head in stratum:
                 found: dict[Row, None] = {}
-                plan.gives.run(relations, rows, found.setdefault)
+                plan.gives.run(relations, rows, found.setdefault, None, _noting(plan.rule, failures))
                 known = relations[plan.head]
                 for row in found:
                     if row not in known:
@@ -205,6 +279,17 @@ class Maintenance:
         gone = sum(map(len, over.values()))
         if gone > LEAST_TO_RECOMPUTE and gone > 0.1 * sum(map(len, relations.values())):
             raise TooMuch
+
+
+def _noting(rule: Clause, failures: list[Failure]) -> Callable[[Bindings], None]:
+    def failed(known: Bindings) -> None:
+        failures.append((rule, known))
+
+    return failed
+
+
+def _derives(check: Join, relations: Mapping[Indicator, Relation], row: Row, failures: list[Failure]) -> bool:
+    return check.derives(relations, row, _noting(check.clause, failures))
 
 
 class _Before(dict[Indicator, Relation]):

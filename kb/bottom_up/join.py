@@ -6,20 +6,27 @@ optimiser's (bound columns first); reasons never come from here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Set
-from typing import Any, TypeAlias
+from collections.abc import Iterable, Mapping, Set
 
+from casper.kb.bottom_up.steps import (
+    CONTEXT,
+    Binder,
+    Emit,
+    Environment,
+    Failed,
+    Slots,
+    Step,
+    aggregate_step,
+    comparison_step,
+    row_builder,
+)
 from casper.kb.relations.relation import Relation, Row
+from casper.kb.relations.undefined import Possible
 from casper.kb.terms.clauses import Clause, Indicator, Literal
-from casper.kb.terms.comparison import compare, is_ready
-from casper.kb.terms.terms import Compound, Term, Variable
-from casper.kb.terms.unification import Bindings, is_ground, substitute, variables_of
+from casper.kb.terms.comparison import is_ready
+from casper.kb.terms.terms import Term, Variable
+from casper.kb.terms.unification import Bindings, substitute, variables_of
 
-Environment: TypeAlias = list[Any]  # relations, delta rows and emit; then a value for each slot
-Step: TypeAlias = Callable[[Environment], None]
-Slots: TypeAlias = dict[Variable, int]
-Emit: TypeAlias = Callable[[Row], None]
-_CONTEXT = 3  # entries before the first slot: a join keeps nothing of a run, since several threads may run it
 NOBODY: frozenset[Variable] = frozenset()
 
 
@@ -40,44 +47,62 @@ class Join:
         self.clause = clause
         self._slots: Slots = {}
         for variable in clause.variables():
-            self._slots.setdefault(variable, _CONTEXT + len(self._slots))
+            self._slots.setdefault(variable, CONTEXT + len(self._slots))
         known = set(variables_of(clause.head)) if bound_head else set()
         body = [
             (x, at, at == delta_at)
             for x, at in ordered_body(clause.body, delta_at, known)
-            if negations or not x.negated or x.is_comparison or at == delta_at
+            if negations or not x.is_strict or at == delta_at
         ]
         tested = [_apart(x) for x, _, is_delta in body if is_delta and x.negated and negations]
         for variable in (v for x in tested for v in x.variables()):
-            self._slots.setdefault(variable, _CONTEXT + len(self._slots))
-        self._head = _Binder([(c, arg) for c, arg in enumerate(clause.head.args)], NOBODY, self._slots)
+            self._slots.setdefault(variable, CONTEXT + len(self._slots))
+        self._head = Binder([(c, arg) for c, arg in enumerate(clause.head.args)], NOBODY, self._slots)
         self._step = self._compiled([*body, *((x, -1, False) for x in tested)], known)
 
     def _compiled(self, body: list[tuple[Literal, int, bool]], known: set[Variable]) -> Step:
         bound = [set(known)]
         for literal, _, is_delta in body:
-            bound.append(bound[-1] | (set(variables_of(literal.atom)) if is_delta else _binds(literal)))
+            bound.append(bound[-1] | (set(variables_of(literal.atom)) if is_delta else literal.binds()))
         step = self._emit_step()
         for (literal, _, is_delta), before in zip(reversed(body), reversed(bound[:-1])):
             step = self._condition(literal, before, is_delta, step)
         return step
 
-    def run(self, relations: Mapping[Indicator, Relation], rows: Iterable[Row], emit: Emit) -> None:
-        """Emit every head row that the rule derives; the delta condition ranges over ``rows``."""
-        self._step([relations, rows, emit, *[None] * len(self._slots)])
+    def run(
+        self,
+        relations: Mapping[Indicator, Relation],
+        rows: Iterable[Row],
+        emit: Emit,
+        absent: Mapping[Indicator, Relation] | None = None,
+        failed: Failed | None = None,
+    ) -> None:
+        """Emit every head row that the rule derives; the delta condition ranges over ``rows``.
 
-    def first(self, relations: Mapping[Indicator, Relation]) -> dict[Variable, Term] | None:
-        """One solution of the body, or None when there is none."""
-        environment: Environment = [relations, (), _stop, *[None] * len(self._slots)]
+        Args:
+            relations: where conditions are looked up.
+            absent: where negated ones are; the same when it is None.
+            failed: called with what is known of the rule's variables where an evaluation fails.
+        """
+        absent = relations if absent is None else absent
+        self._step([relations, rows, emit, absent, failed, *[None] * len(self._slots)])
+
+    def first(
+        self, relations: Mapping[Indicator, Relation], failed: Failed | None = None
+    ) -> dict[Variable, Term] | None:
+        """One solution of the body, or None when there is none; negations see undefined rows as possible."""
+        context = relations, (), _stop, Possible(relations), failed
+        environment: Environment = [*context, *[None] * len(self._slots)]
         try:
             self._step(environment)
         except _Found:
-            return {variable: environment[slot] for variable, slot in self._slots.items()}
+            inner = {v for x in self.clause.body if x.is_strict for v in x.variables() if v.is_anonymous}
+            return {v: environment[slot] for v, slot in self._slots.items() if v not in inner}
         return None
 
-    def derives(self, relations: Mapping[Indicator, Relation], row: Row) -> bool:
+    def derives(self, relations: Mapping[Indicator, Relation], row: Row, failed: Failed | None = None) -> bool:
         """Whether the rule derives this head row (the join was compiled with ``bound_head``)."""
-        environment: Environment = [relations, (), _stop, *[None] * len(self._slots)]
+        environment: Environment = [relations, (), _stop, relations, failed, *[None] * len(self._slots)]
         if not self._head(row, environment):
             return False
         try:
@@ -87,7 +112,7 @@ class Join:
         return False
 
     def _emit_step(self) -> Step:
-        build = _row_builder(list(self.clause.head.args), self._slots)
+        build = row_builder(list(self.clause.head.args), self._slots)
 
         def emit(environment: Environment) -> None:
             environment[2](build(environment))
@@ -96,11 +121,13 @@ class Join:
 
     def _condition(self, literal: Literal, known: Set[Variable], is_delta: bool, then: Step) -> Step:
         if literal.is_comparison:
-            return _comparison_step(literal, known, self._slots, then)
+            return comparison_step(literal, known, self._slots, then)
+        if literal.is_aggregate:
+            return aggregate_step(literal, known, self._slots, then)
         indicator, args = literal.atom.indicator, literal.atom.args
         columns = tuple(c for c, arg in enumerate(args) if set(variables_of(arg)) <= known)
-        key = _row_builder([args[c] for c in columns], self._slots)
-        bind = _Binder([(c, arg) for c, arg in enumerate(args) if c not in columns], known, self._slots)
+        key = row_builder([args[c] for c in columns], self._slots)
+        bind = Binder([(c, arg) for c, arg in enumerate(args) if c not in columns], known, self._slots)
 
         def lookup(environment: Environment) -> None:
             for row in environment[0][indicator].matching(columns, key(environment)):
@@ -114,7 +141,7 @@ class Join:
                     then(environment)
 
         def absent(environment: Environment) -> None:
-            if not any(bind(row, environment) for row in environment[0][indicator].matching(columns, key(environment))):
+            if not any(bind(row, environment) for row in environment[3][indicator].matching(columns, key(environment))):
                 then(environment)
 
         return scan if is_delta else absent if literal.negated else lookup
@@ -147,7 +174,7 @@ def ordered_body(
         at, literal = min(waiting, key=lambda item: _cost(item, bound, delta_at))
         waiting.remove((at, literal))
         ordered.append((literal, at))
-        bound |= set(variables_of(literal.atom)) if at == delta_at else _binds(literal)
+        bound |= set(variables_of(literal.atom)) if at == delta_at else literal.binds()
     return ordered
 
 
@@ -155,12 +182,11 @@ def _cost(item: tuple[int, Literal], known: set[Variable], delta_at: int | None)
     at, literal = item
     if at == delta_at:
         return (-2, 0, at)
-    variables = set(variables_of(literal.atom))
     if literal.is_comparison:
         bindings = {v: 0 for v in known}
         return (-1 if is_ready(literal, bindings) and _decides(literal, known) else 3, 0, at)
-    if literal.negated:
-        return (-1 if all(v in known or v.is_anonymous for v in variables) else 3, 0, at)
+    if literal.is_strict:
+        return (-1 if known.issuperset(literal.strict_variables()) else 3, 0, at)
     return (1, -sum(1 for arg in literal.atom.args if set(variables_of(arg)) <= known), at)
 
 
@@ -168,79 +194,3 @@ def _decides(literal: Literal, known: set[Variable]) -> bool:
     """Whether an ``=`` has at least one side known: before that it would only tie two unknowns together."""
     left, right = set(variables_of(literal.atom[1])), set(variables_of(literal.atom[2]))
     return left <= known or right <= known
-
-
-def _binds(literal: Literal) -> set[Variable]:
-    if literal.negated or (literal.is_comparison and literal.atom[0] not in ("=", "is")):
-        return set()
-    return set(variables_of(literal.atom))
-
-
-def _comparison_step(literal: Literal, known: Set[Variable], slots: Slots, then: Step) -> Step:
-    before = [(v, slots[v]) for v in literal.variables() if v in known]
-    after = [(v, slots[v]) for v in literal.variables() if v not in known]
-
-    def test(environment: Environment) -> None:
-        extended = compare(literal, {v: environment[slot] for v, slot in before})
-        if extended is not None:
-            for variable, slot in after:
-                environment[slot] = extended.get(variable)
-            then(environment)
-
-    return test
-
-
-def _row_builder(terms: list[Term], slots: Slots) -> Callable[[Environment], Row]:
-    """A function from the environment to the row of the terms' values."""
-    if all(isinstance(term, Variable) for term in terms):
-        at = [slots[term] for term in terms]
-        if len(at) == 1:
-            only = at[0]
-            return lambda environment: (environment[only],)
-        if len(at) == 2:
-            first, second = at
-            return lambda environment: (environment[first], environment[second])
-        return lambda environment: tuple([environment[slot] for slot in at])
-    return lambda environment: tuple([_value(term, environment, slots) for term in terms])
-
-
-def _value(term: Term, environment: Environment, slots: Slots) -> Term:
-    if isinstance(term, Variable):
-        return environment[slots[term]]
-    if isinstance(term, Compound) and not is_ground(term):
-        return Compound([_value(part, environment, slots) for part in term])
-    return term
-
-
-class _Binder:
-    """Stores a row's open columns in the environment; False where a constant or a repeated variable disagrees."""
-
-    __slots__ = ("known", "pairs", "rest", "slots")
-
-    def __init__(self, rest: list[tuple[int, Term]], known: Set[Variable], slots: Slots) -> None:
-        self.rest, self.known, self.slots = rest, known, slots
-        variables = [term for _, term in rest]
-        simple = all(isinstance(term, Variable) for term in variables) and len(set(variables)) == len(variables)
-        self.pairs = [(column, slots[term]) for column, term in rest] if simple else None
-
-    def __call__(self, row: Row, environment: Environment) -> bool:
-        if self.pairs is not None:
-            for column, slot in self.pairs:
-                environment[slot] = row[column]
-            return True
-        assigned = set(self.known)
-        return all(_match(term, row[column], environment, self.slots, assigned) for column, term in self.rest)
-
-
-def _match(term: Term, value: Term, environment: Environment, slots: Slots, assigned: set[Variable]) -> bool:
-    """One-way unification of a pattern with a ground value."""
-    if isinstance(term, Variable):
-        if term in assigned:
-            return bool(environment[slots[term]] == value)
-        assigned.add(term)
-        environment[slots[term]] = value
-        return True
-    if isinstance(term, Compound):
-        same_shape = isinstance(value, Compound) and len(value) == len(term)
-        return same_shape and all(_match(t, v, environment, slots, assigned) for t, v in zip(term, value))
-    return bool(term == value)

@@ -1,15 +1,16 @@
-"""The semi-naive fixpoint on Python rows, stratum by stratum: what is new in a round is joined in the next."""
+"""The fixpoint on Python rows, stratum by stratum, with what is undefined beside what holds."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
-
-from casper.kb.bottom_up.join import Emit, Join
+from casper.kb.bottom_up.circles.alternating import well_founded
+from casper.kb.bottom_up.circles.doubts import add_undefined
+from casper.kb.bottom_up.circles.minimum import least_rows
 from casper.kb.bottom_up.size import MOST_ROWS, Room
+from casper.kb.bottom_up.stratum import Stratum
 from casper.kb.program.program import Program
-from casper.kb.relations.relation import Relation, Row
-from casper.kb.terms.clauses import Clause, Indicator
+from casper.kb.relations.relation import Relation
+from casper.kb.relations.undefined import Possible, are_settled
+from casper.kb.terms.clauses import Indicator
 
 
 def row_fixpoint(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator, Relation]:
@@ -21,85 +22,26 @@ def row_fixpoint(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator
     relations = {i: Relation(*i, program.given[i]) for stratum in program.strata for i in stratum}
     room, round_ = Room(most_rows, relations), 0
     for stratum in program.strata:
-        round_ = _Stratum(program, stratum, relations, room).run(round_)
+        round_ = evaluate_stratum(program, stratum, relations, room, round_)
     return relations
 
 
-def fixpoint_of(program: Program, stratum: frozenset[Indicator], relations: dict[Indicator, Relation]) -> None:
-    """Evaluate some predicates' rules on relations that hold their given rows and all rows of what else they need."""
-    _Stratum(program, stratum, relations, Room(MOST_ROWS, relations)).run(0)
+def evaluate_stratum(
+    program: Program, stratum: frozenset[Indicator], relations: dict[Indicator, Relation], room: Room, round_: int
+) -> int:
+    """Evaluate one stratum on relations that hold its given rows, and all rows of what it needs.
 
-
-@dataclass
-class _Recursive:
-    """A rule, and which of its conditions ranges over what is new; compiled when something new comes."""
-
-    number: int
-    rule: Clause
-    at: int
-
-    @cached_property
-    def join(self) -> Join:
-        """The compiled rule."""
-        return Join(self.rule, self.at)
-
-
-class _Stratum:
-    """The fixpoint of one stratum: what is new in a round is joined with everything in the next.
-
-    A round costs what is new in it, however many rules there are.
+    Rows get rounds after ``round_``; the last of them comes back.
     """
-
-    def __init__(
-        self, program: Program, stratum: frozenset[Indicator], relations: dict[Indicator, Relation], room: Room
-    ) -> None:
-        self.relations, self.room, self.stratum = relations, room, stratum
-        self.rules = [c for indicator in sorted(stratum) for c in program.rules[indicator]]
-        self.fresh: dict[Indicator, dict[Row, None]] = {}
-
-    def run(self, round_: int) -> int:
-        """Evaluate to the fixpoint; the last round's number."""
-        for rule in self.rules:
-            if self._may_fire(rule):
-                Join(rule).run(self.relations, (), self._emitter(rule))
-        recursive = self._recursive()
-        while delta := self._take(round_ := round_ + 1):
-            due = [each for indicator in delta for each in recursive.get(indicator, ())]
-            for each in sorted(due, key=lambda each: each.number):
-                new = delta[each.rule.body[each.at].atom.indicator]
-                each.join.run(self.relations, new, self._emitter(each.rule))
-        return round_
-
-    def _may_fire(self, rule: Clause) -> bool:
-        """Whether there is something to look up for every condition: otherwise the rule need not be compiled yet."""
-        return all(self.relations[x.atom.indicator] for x in rule.body if not x.negated and not x.is_comparison)
-
-    def _recursive(self) -> dict[Indicator, list[_Recursive]]:
-        found: dict[Indicator, list[_Recursive]] = {}
-        for number, rule in enumerate(self.rules):
-            for at, literal in enumerate(rule.body):
-                if not literal.negated and literal.atom.indicator in self.stratum:
-                    found.setdefault(literal.atom.indicator, []).append(_Recursive(number, rule, at))
-        return found
-
-    def _emitter(self, rule: Clause) -> Emit:
-        known = self.relations[rule.head.indicator].rows
-        fresh = self.fresh.setdefault(rule.head.indicator, {})
-
-        def emit(row: Row) -> None:
-            if row not in known:
-                fresh[row] = None
-
-        return emit
-
-    def _take(self, round_: int) -> dict[Indicator, list[Row]]:
-        """Move what the last round found into the relations; what was new, by predicate."""
-        found, self.fresh = self.fresh, {}
-        delta: dict[Indicator, list[Row]] = {}
-        for indicator, rows in found.items():
-            relation = self.relations[indicator]
-            new = [row for row in rows if relation.add(row, round_)]
-            if new:
-                delta[indicator] = new
-        self.room.take(sum(map(len, delta.values())))
-        return delta
+    if not stratum.isdisjoint(program.circular):
+        return well_founded(program, stratum, relations, room, round_)
+    if not stratum.isdisjoint(program.least):
+        return least_rows(program, stratum, relations, room, round_)
+    rules = [rule for indicator in stratum for rule in program.rules[indicator]]
+    needed = {x.needed for rule in rules for x in rule.body if x.needed is not None}
+    settled = are_settled(relations, needed)
+    evaluation = Stratum(program, stratum, relations, room, None if settled else Possible(relations))
+    round_ = evaluation.run(round_)
+    if evaluation.failures or not settled:
+        add_undefined(rules, stratum, relations, evaluation.failures, room)
+    return round_

@@ -11,6 +11,7 @@ from casper.kb.terms.clauses import Clause, Directive, Literal, Sentence
 from casper.kb.terms.comparison import compare
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify, variables_of
+from casper.kb.terms.values.arithmetic import EvaluationFailed
 from casper.kb.text.writer import literal_text
 
 _DIFFERENT = ("\\=", "\\==", "<", ">")  # what never holds between a thing and itself
@@ -60,7 +61,10 @@ def _fails(literal: Literal, bindings: Bindings) -> bool:
     """Whether a comparison is false under the equalities of the body, whatever else is known."""
     operator, left, right = (substitute(part, bindings) for part in literal.atom)
     if is_ground(left) and is_ground(right):
-        return compare(literal, bindings) is None
+        try:
+            return compare(literal, bindings) is None
+        except EvaluationFailed:
+            return False  # it is undefined
     return left == right and operator in _DIFFERENT and not literal.negated
 
 

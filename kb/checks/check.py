@@ -13,11 +13,20 @@ from casper.kb.base import KnowledgeBase
 from casper.kb.checks.bodies import contradictions, duplicates
 from casper.kb.checks.facts import broken_constraints, rules_that_give_nothing
 from casper.kb.checks.finding import Finding, finding_of, sorted_findings
-from casper.kb.checks.names import arity_clashes, own_mistakes, single_variables, unbound_conditions, undefined_names
+from casper.kb.checks.names import (
+    arity_clashes,
+    needed_by,
+    own_mistakes,
+    single_variables,
+    unbound_conditions,
+    undefined_names,
+)
 from casper.kb.checks.needs import needs_graph, negative_circles, unneeded
-from casper.kb.errors import CasperError, Place
+from casper.kb.errors import CasperError, Place, ProgramError
+from casper.kb.program.control import plain_clauses
+from casper.kb.program.declarations import declaration
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence
-from casper.kb.terms.terms import Compound
 from casper.kb.text.recovery import read_tolerantly
 
 
@@ -63,27 +72,33 @@ def check_sentences(sentences: Sequence[Sentence], context: Context = _ALONE) ->
     dynamic, findings = _dynamic(sentences)
     known = {c.head.indicator for c in clauses} | dynamic | set(context.known)
     faulty: list[Clause] = []
-    for clause in clauses:
-        mistakes = [*own_mistakes(clause), *undefined_names(clause, known, context.half_read)]
-        findings.extend(mistakes)
-        if mistakes or any(not x.is_comparison and x.atom.indicator not in {*known, *SYSTEM} for x in clause.body):
+    plain: list[Clause] = []  # with the goals inside goals as clauses of their own
+    for number, clause in enumerate(clauses):
+        try:
+            parts = list(plain_clauses([clause], f"{number} "))
+        except ProgramError as mistake:
+            findings.append(finding_of(mistake, clause.place))
             faulty.append(clause)
-    circles = list(negative_circles(clauses))
-    findings.extend(circle for circle, _ in circles)
-    circular = {i for _, group in circles for i in group}
-    faulty.extend(c for c in clauses if c.head.indicator in circular and c not in faulty)
+            continue
+        plain.extend(parts)
+        mistakes = [*own_mistakes(parts), *undefined_names(parts, known, context.half_read)]
+        findings.extend(mistakes)
+        if mistakes or not needed_by(parts) <= {*known, *SYSTEM, *BUILTINS}:
+            faulty.append(clause)
+    findings.extend(negative_circles([c for c in plain if not c.is_constraint]))
     findings.extend(single_variables(sentences))
     findings.extend(arity_clashes(clauses, context.exempt))
     findings.extend(duplicates(sentences))
-    findings.extend(unneeded(clauses, context.asked))
+    findings.extend(unneeded(plain, context.asked))
     sound = [c for c in clauses if c not in faulty]
     impossible = [f for c in sound for f in contradictions(c)]
     findings.extend(impossible)
     contradictory = {c for c in sound if any(True for _ in contradictions(c))}
     findings.extend(f for c in sound if c not in contradictory for f in unbound_conditions(c))
-    kb = _sound_base(sound, known | dynamic, findings)
-    open_ = _open(clauses, dynamic | {c.head.indicator for c in faulty}, context)
-    revisable = _revisable(clauses, open_)
+    tables = [s for s in sentences if isinstance(s, Directive) and s.term.functor == "table" and _is_sound(s)]
+    kb = _sound_base(sound, known | dynamic, tables, findings)
+    open_ = _open(plain, dynamic | {c.head.indicator for c in faulty}, context)
+    revisable = _revisable(plain, open_)
     findings.extend(_against_facts(kb, [c for c in sound if c not in contradictory], open_, revisable))
     return Checked(findings, kb, faulty)
 
@@ -95,19 +110,26 @@ def _dynamic(sentences: Iterable[Sentence]) -> tuple[set[Indicator], list[Findin
     for sentence in sentences:
         if isinstance(sentence, Directive):
             try:
-                KnowledgeBase().add([sentence])
+                declared.update(declaration(sentence).dynamic)
             except CasperError as mistake:
                 findings.append(finding_of(mistake, sentence.place))
-            else:
-                name = sentence.term[1]
-                assert isinstance(name, Compound)
-                declared.add((str(name[1]), int(name[2])))
     return declared, findings
 
 
-def _sound_base(sound: Sequence[Clause], known: Collection[Indicator], findings: list[Finding]) -> KnowledgeBase:
+def _is_sound(directive: Directive) -> bool:
+    try:
+        declaration(directive)
+    except ProgramError:
+        return False
+    return True
+
+
+def _sound_base(
+    sound: Sequence[Clause], known: Collection[Indicator], declared: Sequence[Sentence], findings: list[Finding]
+) -> KnowledgeBase:
     """The knowledge base of the sound clauses; should it refuse them all the same, that is a finding, too."""
     kb = KnowledgeBase(sound, {i for i in known if i not in SYSTEM})
+    kb.add(declared)
     try:
         kb.compile()
     except CasperError as mistake:
@@ -136,8 +158,8 @@ def _revisable(clauses: Sequence[Clause], open_: Collection[Indicator]) -> set[I
     import networkx as nx
 
     graph = needs_graph(clauses)
-    denied = {x.atom.indicator for c in clauses for x in c.body if x.negated and not x.is_comparison}
-    losing = {c.head.indicator for c in clauses if any(x.negated and x.atom.indicator in open_ for x in c.body)}
+    denied = {x.needed for c in clauses for x in c.body if x.is_strict}
+    losing = {c.head.indicator for c in clauses if any(x.is_strict and x.needed in open_ for x in c.body)}
     roots = [i for i in graph if i in SYSTEM or i in losing or (i in denied and i in open_)]
     backwards = graph.reverse(copy=False)
     return (set(roots).union(*(nx.descendants(backwards, root) for root in roots)) | set(SYSTEM)) - {("never", 1)}

@@ -6,8 +6,10 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.checks.finding import Finding, error, warning
-from casper.kb.errors import CasperError
+from casper.kb.errors import CasperError, Undefined
+from casper.kb.program.control import is_control, plain_clauses
 from casper.kb.reasons.proof import Proof
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term
@@ -28,7 +30,7 @@ def rules_that_give_nothing(
     empty: dict[Indicator, bool] = {}
     for rule in rules:
         needed = [x.atom.indicator for x in rule.body if not x.is_comparison]
-        if rule.place.citation:  # a law stated elsewhere, which need not have cases here
+        if rule.place.citation or any(map(is_control, rule.body)):  # a law stated elsewhere need not have cases here
             continue
         if not needed or any(i in open_ for i in needed):
             continue
@@ -67,7 +69,8 @@ def _is_empty(kb: KnowledgeBase, indicator: Indicator, known: dict[Indicator, bo
     """Whether no row of the predicate is known; a search that does not end says nothing."""
     if indicator not in known:
         pattern = Compound((indicator[0], *(Variable(f"X{at}") for at in range(indicator[1]))))
-        known[indicator] = indicator not in SYSTEM and _holds(kb, [Literal(pattern)]) is False
+        given = indicator in SYSTEM or (indicator in BUILTINS and not kb.defines(*indicator))
+        known[indicator] = not given and _holds(kb, [Literal(pattern)]) is False
     return known[indicator]
 
 
@@ -87,7 +90,8 @@ def broken_constraints(
     ``open_`` are predicates that what is not known yet may change such that a broken constraint is no longer so.
     """
     for constraint in constraints:
-        if any(not x.is_comparison and x.atom.indicator in open_ for x in constraint.body):
+        parts = plain_clauses([constraint])
+        if any(x.needed in open_ for part in parts for x in part.body):
             continue
         body = _all_named(constraint)
         try:
@@ -96,12 +100,15 @@ def broken_constraints(
                 facts = _clashing(kb, [substitute(x.atom, dict(values)) for x in body if _looks_up(x)])
                 shown = ", ".join(facts) or ", ".join(literal_text(x) for x in body)
                 yield error(constraint.place, f'the facts break "{constraint.head[1]}": {shown}')
+        except Undefined as doubt:
+            sentence = f'whether the facts break "{constraint.head[1]}" is undefined: {doubt.sentence}'
+            yield warning(constraint.place, sentence)
         except CasperError:
             continue  # it cannot be decided by the facts alone
 
 
 def _looks_up(literal: Literal) -> bool:
-    return not literal.is_comparison and not literal.negated
+    return not literal.is_comparison and not literal.negated and not is_control(literal)
 
 
 def _all_named(constraint: Clause) -> list[Literal]:
@@ -121,7 +128,7 @@ def _clashing(kb: KnowledgeBase, atoms: Sequence[Compound]) -> list[str]:
     found: dict[str, None] = {}
     for atom in atoms:
         proof = kb.why(atom) if is_ground(atom) else None
-        for fact, place in _given(proof):
+        for fact, place in _given(proof if isinstance(proof, Proof) else None):
             found[f"{term_text(as_term(fact))}{place}"] = None
     return list(found)
 

@@ -7,52 +7,57 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from casper.kb.checks.finding import Finding, error, finding_of, note, warning
 from casper.kb.errors import Place, ProgramError
+from casper.kb.program.control import is_control
 from casper.kb.program.listing import is_range_restricted
 from casper.kb.program.program import analyse
 from casper.kb.program.refusals import undefined_sentence
-from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Production, Sentence
+from casper.kb.terms.builtins import BUILTINS
+from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Production, Sentence, is_auxiliary
+from casper.kb.terms.control import CONTROL
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.text.writer import literal_text
 
 _PROLOG = {
-    "not": "write \\+ condition",
-    "call": "state the condition itself",
-    "member": "state a fact for each member",
-    "findall": "ask the knowledge base from Python",
-    "forall": "negate a rule for the exceptions",
     "assert": "add facts from Python",
     "assertz": "add facts from Python",
     "retract": "remove facts from Python",
     "write": "print from Python",
 }
-_GUARDED = {name for name, _ in SYSTEM} | {"=", "is"}
+_GUARDED = {name for name, _ in (*SYSTEM, *CONTROL)} | {"=", "is", "call"}
+_GIVEN = BUILTINS | set(SYSTEM)
 
 
-def undefined_names(clause: Clause, known: Collection[Indicator], half_read: Collection[str]) -> Iterator[Finding]:
-    """Every condition whose predicate nobody defines, with what may have been meant.
+def needed_by(parts: Iterable[Clause]) -> set[Indicator]:
+    """The predicates that a clause needs, given as plain ones."""
+    return {x.needed for part in parts for x in part.body if x.needed is not None and not is_auxiliary(x.needed)}
+
+
+def undefined_names(
+    parts: Iterable[Clause], known: Collection[Indicator], half_read: Collection[str]
+) -> Iterator[Finding]:
+    """Every condition of a clause (given as plain ones) whose predicate nobody defines, with what may have been meant.
 
     ``half_read`` are names of clauses that could not be read: nobody knows what they would have defined.
     """
-    for literal in clause.body:
-        atom = literal.atom
-        if literal.is_comparison or atom.indicator in SYSTEM or atom.indicator in known or atom.functor in half_read:
+    for literal in (x for part in parts for x in part.body):
+        needed = literal.needed
+        if needed is None or needed in _GIVEN or needed in known or is_auxiliary(needed) or needed[0] in half_read:
             continue
-        sentence = undefined_sentence(atom.indicator, known)
-        if atom.functor in _PROLOG and "did you mean" not in sentence:
-            sentence = f"{atom.functor}/{atom.arity} is not part of the language; {_PROLOG[atom.functor]}"
+        sentence = undefined_sentence(needed, known)
+        if needed[0] in _PROLOG and "did you mean" not in sentence:
+            sentence = f"{needed[0]}/{needed[1]} is not part of the language; {_PROLOG[needed[0]]}"
         yield error(literal.place, sentence)
 
 
-def own_mistakes(clause: Clause) -> Iterator[Finding]:
+def own_mistakes(parts: Sequence[Clause]) -> Iterator[Finding]:
     """What is wrong with a clause by itself: a reserved name, a constraint without sentence, an unbound negation."""
+    clause = parts[0]
     if not clause.body and clause.head.functor not in _GUARDED:
         return
-    needed = {x.atom.indicator for x in clause.body if not x.is_comparison} - set(SYSTEM)
     try:
-        analyse([clause], needed - {clause.head.indicator})
+        analyse(parts, needed_by(parts) - _GIVEN - {part.head.indicator for part in parts})
     except ProgramError as mistake:
-        if "runs in a circle" not in mistake.sentence:  # circles are looked for in the whole program
-            yield finding_of(mistake, clause.place)
+        yield finding_of(mistake, clause.place)
 
 
 def unbound_conditions(clause: Clause) -> Iterator[Finding]:
@@ -60,7 +65,7 @@ def unbound_conditions(clause: Clause) -> Iterator[Finding]:
     binders = [x for x in clause.body if not x.negated and (not x.is_comparison or x.atom[0] in ("=", "is"))]
     for literal in clause.body:
         is_equality = literal.is_comparison and literal.atom[0] == "=" and not literal.negated
-        if is_equality or is_range_restricted(Clause(Compound(("asked",)), (*binders, literal))):
+        if is_equality or is_control(literal) or is_range_restricted(Clause(Compound(("asked",)), (*binders, literal))):
             continue
         name, arity = clause.head.indicator
         sentence = f"nothing here binds the variables of {literal_text(literal)}"

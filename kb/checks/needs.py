@@ -6,8 +6,9 @@ from collections.abc import Collection, Iterable, Iterator
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from casper.kb.checks.finding import Finding, error, note
-from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
+from casper.kb.checks.finding import Finding, note
+from casper.kb.program.strata import negative_circles as circles_of
+from casper.kb.terms.clauses import SYSTEM, Clause, Indicator
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -20,29 +21,18 @@ def needs_graph(clauses: Iterable[Clause]) -> nx.DiGraph:
     graph: nx.DiGraph = nx.DiGraph()
     for clause in clauses:
         graph.add_node(clause.head.indicator)
-        needed = (x.atom.indicator for x in clause.body if not x.is_comparison)
+        needed = (x.needed for x in clause.body if x.needed is not None)
         graph.add_edges_from((clause.head.indicator, other) for other in needed)
     return graph
 
 
-def negative_circles(clauses: Collection[Clause]) -> Iterator[tuple[Finding, frozenset[Indicator]]]:
-    """Every negation through recursion, once for each group of predicates, with the group."""
-    import networkx as nx
-
-    graph = needs_graph(clauses)
-    group_of = {i: frozenset(group) for group in nx.strongly_connected_components(graph) for i in group}
-    told: set[frozenset[Indicator]] = set()
-    for head, literal in ((c.head.indicator, x) for c in clauses for x in _negations(c)):
-        group, negated = group_of[head], literal.atom.indicator
-        if negated in group and group not in told:
-            told.add(group)
-            circle = [head, *nx.shortest_path(graph, negated, head)]
-            names = " needs ".join(f"{'not ' if at == 1 else ''}{n}/{a}" for at, (n, a) in enumerate(circle))
-            yield error(literal.place, f"negation runs in a circle: {names}; break it"), group
-
-
-def _negations(clause: Clause) -> Iterator[Literal]:
-    return (x for x in clause.body if x.negated and not x.is_comparison)
+def negative_circles(clauses: Collection[Clause]) -> Iterator[Finding]:
+    """Every circle that negation runs in, once for each group of predicates: there something may be undefined."""
+    table: dict[Indicator, list[Clause]] = {}
+    for clause in clauses:
+        table.setdefault(clause.head.indicator, []).append(clause)
+    for _, literal, circle in circles_of({indicator: tuple(found) for indicator, found in table.items()}):
+        yield note(literal.place, f"negation runs in a circle: {circle}; what the facts do not settle is undefined")
 
 
 def unneeded(clauses: Collection[Clause], asked: Collection[Indicator]) -> Iterator[Finding]:

@@ -9,15 +9,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
+from itertools import count
 from typing import Any, Protocol, TypeAlias
 
 from unification import Var, isvar, reify, unify, var
 from unification.core import _reify, _reify_Iterable_ctor
 
+from casper.kb.errors import Undefined
 from casper.kb.goals.occurs import State, unified
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Indicator
-from casper.kb.terms.terms import Compound, Term, Variable
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, Term, Variable, as_term
+from casper.kb.terms.unknown import opened
 
 Goal: TypeAlias = Callable[[State], Iterator[State]]
 
@@ -58,6 +62,8 @@ class Predicate:
     def __call__(self, *args: Any) -> Goal:
         """A goal that holds for every row (or proof) the arguments can be.
 
+        After the last of them the goal raises `Undefined` when the arguments can be an undefined row as well.
+
         Raises:
             ProgramError: the name is not defined with this many arguments.
         """
@@ -71,8 +77,10 @@ class Predicate:
             with base.lock:
                 relation = base.stored(indicator)
                 if relation is not None:
-                    if plain:
-                        return iter((state,)) if args in relation else iter(())
+                    if plain and (found in relation or relation.undefined is None):
+                        return iter((state,)) if found in relation else iter(())
+                    if relation.undefined is not None:
+                        return _then_doubts(relation, found, state)
                     return stored_goal(relation, found, state)
             return _derived(base, indicator[0], found, state)
 
@@ -121,6 +129,17 @@ def _extended(state: State, open_: list[tuple[int, Any]], rows: list[Row]) -> It
             extended = unify(left, tuple([row[at] for at, _ in open_]), state)
             if extended is not False:
                 yield extended
+
+
+def _then_doubts(relation: Relation, args: Row, state: State) -> Iterator[State]:
+    """As `stored_goal`; raises `Undefined` after the last state when the arguments can be an undefined row."""
+    yield from stored_goal(relation, args, state)
+    assert relation.undefined is not None
+    for row in relation.undefined:
+        fresh = tuple(_to_kanren(opened(value, count()), {}) for value in row)
+        if args not in relation and unify(args, fresh, state) is not False:
+            sentence = f"{term_text(as_term(Compound((relation.name, *row))))} is undefined"
+            raise Undefined(sentence)
 
 
 def _is_hashable(args: Row) -> bool:

@@ -7,15 +7,19 @@ situational (claim/1, did/2), and no recursion builds ever larger terms. Every o
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import chain
 from typing import TypeAlias
 
+from casper.kb.errors import ProgramError
+from casper.kb.program.control import plain_clauses
+from casper.kb.program.declarations import Moded
 from casper.kb.program.listing import unlisted
-from casper.kb.program.refusals import check_bound, check_defined, check_own, checked_constraint
-from casper.kb.program.strata import dependents, levels_of
+from casper.kb.program.refusals import check_bound, check_computable, check_defined, check_own, checked_constraint
+from casper.kb.program.strata import check_least, components_of, dependents, levels_of, negative_circles
 from casper.kb.relations.relation import Row
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import DID, NOWHERE, SYSTEM, Clause, Indicator
 from casper.kb.terms.origins import Origin, clause_behind
 from casper.kb.terms.terms import Compound
@@ -40,16 +44,21 @@ class Program:
     strata: tuple[frozenset[Indicator], ...]  # of the stored predicates, lowest first
     situational: frozenset[Indicator]
     top_down: frozenset[Indicator]
+    least: Mapping[Indicator, Moded] = field(default_factory=dict)
+    circular: frozenset[Indicator] = frozenset()  # where negation runs in a circle; each circle is a stratum
 
     @cached_property
     def looks_back(self) -> bool:
         """Whether a rule or constraint asks what happened earlier."""
         written = chain(self.constraints, *self.rules.values())
-        return any(literal.atom.indicator == DID for clause in written for literal in clause.body)
+        return any(literal.needed == DID for clause in written for literal in clause.body)
 
 
 def analyse(
-    clauses: Iterable[Clause], dynamic: Iterable[Indicator] = (), bulk: Mapping[Indicator, Iterable[Row]] | None = None
+    clauses: Iterable[Clause],
+    dynamic: Iterable[Indicator] = (),
+    bulk: Mapping[Indicator, Iterable[Row]] | None = None,
+    least: Mapping[Indicator, Moded] | None = None,
 ) -> Program:
     """Sort and check the clauses.
 
@@ -57,17 +66,19 @@ def analyse(
         clauses: facts, rules and constraints.
         dynamic: predicates that are defined even without a clause.
         bulk: rows of ground facts that no clause stands for; of a mapping the values are what is behind each.
+        least: predicates with an argument that is kept least or greatest for each of the others.
 
     Raises:
         ProgramError: an undefined predicate, a redefined system predicate, a constraint without a sentence,
-            a variable that nothing binds under a negation, or negation through recursion (the cycle is named).
+            a variable that nothing binds under a negation, a function that nothing computes, or an aggregate that is
+            part of what it is worked out of (the circle is named).
     """
     predicates: dict[Indicator, list[Clause]] = {}
     for indicator in dynamic:
         check_own(indicator, NOWHERE)
         predicates[indicator] = []
     constraints: list[Clause] = []
-    for clause in clauses:
+    for clause in plain_clauses(clauses):
         if clause.head.functor == "never":
             constraints.append(checked_constraint(clause))
             continue
@@ -87,14 +98,16 @@ def analyse(
     for clause in (*(c for found in rules.values() for c in found), *constraints):
         for literal in clause.body:
             check_defined(literal, table)
+            check_computable(literal)
             check_bound(literal, clause)
-    strata, situational, top_down = _split(rules)
+    moded = {i: m for i, m in (least or {}).items() if i in rules}
+    split = _split(rules, moded)
     resolved = dict(rules)
-    for indicator in top_down:
+    for indicator in split.top_down:
         rows = given[indicator]
         loaded = (Compound((indicator[0], *row)) for row, behind in rows.items() if not isinstance(behind, Clause))
         resolved[indicator] = (*table[indicator], *(clause_behind(head, rows[head.args]) for head in loaded))
-    return Program(resolved, rules, given, tuple(constraints), strata, situational, top_down)
+    return Program(resolved, rules, given, tuple(constraints), **vars(split), least=moded)
 
 
 def _with_origins(rows: Iterable[Row]) -> Given:
@@ -106,17 +119,30 @@ def is_given(clause: Clause) -> bool:
     return not clause.body and is_ground(clause.head)
 
 
-def _split(
-    rules: Mapping[Indicator, tuple[Clause, ...]],
-) -> tuple[tuple[frozenset[Indicator], ...], frozenset[Indicator], frozenset[Indicator]]:
-    """The strata of the stored predicates, the situational predicates, and all that are answered top-down."""
-    levels = levels_of(rules)
+def _split(rules: Mapping[Indicator, tuple[Clause, ...]], least: Mapping[Indicator, Moded]) -> _Split:
+    """The strata of the stored predicates, and how all others are answered."""
+    levels = levels_of(rules, least)
+    check_least(rules, least)
+    circles = [group for group, _, _ in negative_circles(rules)]
     situational = dependents(rules, set(SYSTEM))
-    top_down = situational | unlisted(rules)
+    top_down = situational | unlisted(rules, least) | dependents(rules, set(BUILTINS - rules.keys()))
     top_down = dependents(rules, top_down) | top_down
-    by_level: dict[int, list[Indicator]] = {}
+    for name, arity in sorted(top_down & least.keys()):
+        sentence = f"{name}/{arity} cannot keep one row for each key: its rows cannot all be listed"
+        raise ProgramError(sentence)
+    apart = [*circles, *(frozenset(group) for group in components_of(rules) if any(i in least for i in group))]
+    circle_of = {i: number for number, group in enumerate(apart, 1) for i in group}
+    by_level: dict[tuple[int, int], list[Indicator]] = {}
     for indicator, level in levels.items():
         if indicator not in top_down:
-            by_level.setdefault(level, []).append(indicator)
+            by_level.setdefault((level, circle_of.get(indicator, 0)), []).append(indicator)
     strata = tuple(frozenset(by_level[level]) for level in sorted(by_level))
-    return strata, frozenset(situational), frozenset(top_down)
+    return _Split(strata, frozenset(situational), frozenset(top_down), frozenset(i for group in circles for i in group))
+
+
+@dataclass(frozen=True)
+class _Split:
+    strata: tuple[frozenset[Indicator], ...]
+    situational: frozenset[Indicator]
+    top_down: frozenset[Indicator]
+    circular: frozenset[Indicator]

@@ -6,15 +6,19 @@ from collections.abc import Collection
 from difflib import get_close_matches
 
 from casper.kb.errors import Place, ProgramError
-from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
+from casper.kb.terms.builtins import BUILTINS
+from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal, is_auxiliary
+from casper.kb.terms.comparison import misspelt
+from casper.kb.terms.control import CONTROL
 from casper.kb.terms.syntax import COMPARISONS
 from casper.kb.terms.unification import variables_of
+from casper.kb.terms.values.arithmetic import CONSTANTS, FUNCTIONS
 
 
 def check_own(indicator: Indicator, place: Place) -> None:
     """Refuse to define what the system defines."""
     name, arity = indicator
-    if indicator in SYSTEM or (name in COMPARISONS and arity == 2):
+    if indicator in SYSTEM or indicator in CONTROL or indicator == ("call", 1) or (name in COMPARISONS and arity == 2):
         sentence = f"{name}/{arity} is defined by the system; choose another name"
         raise ProgramError(sentence, place if place.line else None)
 
@@ -25,16 +29,31 @@ def check_defined(literal: Literal, known: Collection[Indicator]) -> None:
     Raises:
         ProgramError: naming the predicate, its place, and what may have been meant.
     """
-    if literal.is_comparison or literal.atom.indicator in SYSTEM:
-        return
-    if literal.atom.indicator not in known:
+    needed = literal.needed
+    if needed is not None and needed not in SYSTEM and needed not in known and needed not in BUILTINS:
         place = literal.place if literal.place.line else None
-        raise ProgramError(undefined_sentence(literal.atom.indicator, known), place)
+        raise ProgramError(undefined_sentence(needed, known), place)
+
+
+def check_computable(literal: Literal) -> None:
+    """Refuse an expression with a function or constant that nothing computes.
+
+    Raises:
+        ProgramError: naming it, and its likely spelling.
+    """
+    if literal.is_comparison:
+        for name in misspelt(literal):
+            function, _, arity = name.rpartition("/")
+            known = {n for n, a in FUNCTIONS if a == int(arity)} if arity != "0" else set(CONSTANTS)
+            close = get_close_matches(function, sorted(known), n=1)
+            hint = f"; did you mean {close[0]}?" if close else ""
+            raise ProgramError(f"nothing computes {name}{hint}", literal.place if literal.place.line else None)
 
 
 def undefined_sentence(indicator: Indicator, known: Collection[Indicator]) -> str:
     """The sentence for a predicate that is not there: another arity, a likely misspelling, or what to do."""
     name, arity = indicator
+    known = [i for i in known if not is_auxiliary(i)]
     arities = sorted(a for n, a in known if n == name)
     if arities:
         noun = "argument" if arities == [1] else "arguments"
@@ -55,11 +74,12 @@ def checked_constraint(clause: Clause) -> Clause:
 
 def check_bound(literal: Literal, clause: Clause) -> None:
     """A negated condition's variables must be bound by something: otherwise it asks for all there is not."""
-    if not literal.negated or literal.is_comparison:
+    if not literal.is_strict:
         return
-    binders = [x.atom for x in clause.body if not x.negated]
+    binders = [x.atom for x in clause.body if not x.is_strict] + [x.atom[3] for x in clause.body if x.is_aggregate]
     bound = set(variables_of(clause.head, *binders))
-    for variable in literal.variables():
-        if variable not in bound and not variable.is_anonymous:
-            sentence = f"{variable.name} stands only under a negation; bind it by a condition, or write _"
+    for variable in literal.strict_variables():
+        if variable not in bound:
+            where = "in what is counted" if literal.is_aggregate else "under a negation"
+            sentence = f"{variable.name} stands only {where}; bind it by a condition, or write _"
             raise ProgramError(sentence, literal.place)

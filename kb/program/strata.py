@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator, Mapping
+from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping
 from typing import TypeAlias, TypeVar
 
 from casper.kb.errors import ProgramError
-from casper.kb.terms.clauses import Clause, Indicator
+from casper.kb.terms.clauses import Clause, Indicator, Literal, is_auxiliary
 
 Table: TypeAlias = Mapping[Indicator, tuple[Clause, ...]]
 Node = TypeVar("Node", bound=Hashable)
@@ -29,7 +29,7 @@ def dependents(table: Table, roots: set[Indicator]) -> set[Indicator]:
 
 def needs(clauses: Iterable[Clause]) -> Iterator[Indicator]:
     """The predicates that clauses need, one for each condition that is looked up."""
-    return (x.atom.indicator for clause in clauses for x in clause.body if not x.is_comparison)
+    return (x.needed for clause in clauses for x in clause.body if x.needed is not None)
 
 
 def circular(table: Table) -> set[Indicator]:
@@ -89,34 +89,90 @@ def _closed(node: Node, lowest: dict[Node, int], pending: list[Node]) -> list[No
     return group
 
 
-def levels_of(table: Table) -> dict[Indicator, int]:
-    """The stratum of every predicate: at least that of what it needs, above that of what it negates."""
+def components_of(table: Table) -> list[list[Indicator]]:
+    """The groups of predicates that need one another, each after what it needs."""
+    return components({indicator: list(needs(clauses)) for indicator, clauses in table.items()})
+
+
+def check_least(table: Table, least: Collection[Indicator]) -> None:
+    """Refuse a recursive minimum or maximum whose circle goes through a negation or a predicate that keeps all rows.
+
+    Raises:
+        ProgramError: naming the circle.
+    """
+    for group in components_of(table) if least else ():
+        moded = [i for i in group if i in least]
+        others = [i for i in group if i not in least]
+        strict = any(x.is_strict and x.needed in group for i in group for c in table[i] for x in c.body)
+        if moded and (others or strict):
+            name, arity = moded[0]
+            circle = " and ".join(f"{n}/{a}" for n, a in sorted(group) if not is_auxiliary((n, a)))
+            sentence = f"{name}/{arity} keeps one row for each key, so its circle may hold nothing else"
+            raise ProgramError(f"{sentence}: {circle}")
+
+
+def levels_of(table: Table, least: Collection[Indicator] = ()) -> dict[Indicator, int]:
+    """The stratum of every predicate: at least that of what it needs, above that of what it negates or counts.
+
+    Where negation runs in a circle, the circle is above all that it needs, and below all that needs it; so is a
+    predicate that keeps one row for each key (``least``).
+
+    Raises:
+        ProgramError: an aggregate is part of what it is worked out of; the circle is named.
+    """
     groups = components({indicator: list(needs(clauses)) for indicator, clauses in table.items()})
     group_of = {indicator: at for at, group in enumerate(groups) for indicator in group}
+    negative = {group_of[i] for i, x in _within(table, group_of) if x.negated} | {group_of[i] for i in least}
     levels: dict[Indicator, int] = {}
     for at, group in enumerate(groups):  # what a group needs comes before it
         level = 0
         for literal in (x for i in group for clause in table[i] for x in clause.body):
-            needed = literal.atom.indicator
-            if group_of.get(needed, at) != at:
-                level = max(level, levels[needed] + literal.negated)
-            elif literal.negated and needed in group_of:
-                raise _negative_circle(table, group_of)
+            needed = literal.needed
+            if needed is not None and group_of.get(needed, at) != at:
+                apart = literal.is_strict or at in negative or group_of[needed] in negative
+                level = max(level, levels[needed] + apart)
         levels.update(dict.fromkeys(group, level))
+    for indicator, literal in _within(table, group_of):
+        if literal.is_aggregate:
+            names = _circle(table, indicator, literal)
+            sentence = f"{literal.atom[0]} is part of what it is worked out of: {names}; break the circle"
+            raise ProgramError(sentence, literal.place if literal.place.line else None)
     return levels
 
 
-def _negative_circle(table: Table, group_of: Mapping[Indicator, int]) -> ProgramError:
-    import networkx as nx  # only a program that is refused needs it
+def negative_circles(table: Table) -> list[tuple[frozenset[Indicator], Literal, str]]:
+    """The groups of predicates in which negation runs in a circle, each with one such negation and the circle."""
+    groups = components({indicator: list(needs(clauses)) for indicator, clauses in table.items()})
+    group_of = {indicator: at for at, group in enumerate(groups) for indicator in group}
+    found: dict[int, tuple[Indicator, Literal]] = {}
+    for indicator, literal in _within(table, group_of):
+        if literal.negated:
+            found.setdefault(group_of[indicator], (indicator, literal))
+    return [(frozenset(groups[at]), literal, _circle(table, i, literal)) for at, (i, literal) in found.items()]
 
-    graph: nx.DiGraph = nx.DiGraph()
+
+def _within(table: Table, group_of: Mapping[Indicator, int]) -> Iterator[tuple[Indicator, Literal]]:
+    """Every negation and aggregate of something that needs the head in turn, with the head's predicate."""
     for indicator, clauses in table.items():
-        graph.add_edges_from((indicator, needed) for needed in needs(clauses))
-    for indicator, clauses in table.items():
-        for literal in (x for clause in clauses for x in clause.body if x.negated and not x.is_comparison):
-            negated = literal.atom.indicator
-            if group_of.get(negated) == group_of[indicator]:
-                cycle = [indicator, *nx.shortest_path(graph, negated, indicator)]
-                names = " needs ".join(f"{'not ' if at == 1 else ''}{n}/{a}" for at, (n, a) in enumerate(cycle))
-                return ProgramError(f"negation runs in a circle: {names}; break it", literal.place)
-    raise AssertionError("only a negation within a group is refused")
+        for literal in (x for clause in clauses for x in clause.body):
+            needed = literal.needed
+            if literal.is_strict and needed is not None and group_of.get(needed) == group_of[indicator]:
+                yield indicator, literal
+
+
+def _circle(table: Table, indicator: Indicator, literal: Literal) -> str:
+    """The shortest way from a predicate through its strict condition back to itself, in words."""
+    assert literal.needed is not None
+    before: dict[Indicator, Indicator] = {}
+    waiting = [literal.needed]
+    for node in waiting:  # it grows: breadth first
+        for other in needs(table.get(node, ())):
+            if other not in before and other != literal.needed:
+                before[other] = node
+                waiting.append(other)
+    path = [indicator]
+    while path[-1] != literal.needed:
+        path.append(before[path[-1]])
+    circle = [indicator, *reversed(path)]
+    shown = [(at, i) for at, i in enumerate(circle) if at in (0, len(circle) - 1) or not is_auxiliary(i)]
+    return " needs ".join(f"{'not ' if at == 1 and literal.negated else ''}{n}/{a}" for at, (n, a) in shown)

@@ -195,7 +195,8 @@ def _line(entry: Entry[Proof]) -> str:
 
 
 def _text(proof: Proof) -> str:
-    return literal_text(proof.literal) if proof.literal.negated else term_text(as_term(proof.fact))
+    is_written_otherwise = proof.literal.negated or proof.literal.shown is not None
+    return literal_text(proof.literal) if is_written_otherwise else term_text(as_term(proof.fact))
 
 
 def _kind(proof: Proof) -> str:

@@ -13,13 +13,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol, Self
 
+from casper.kb.reasons.doubt import Doubt
 from casper.kb.reasons.proof import Proof
 from casper.kb.reasons.validity import History
 from casper.kb.reasons.why_not import Refusal, Violation, attempts
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.kb.terms.unification import is_ground
+from casper.kb.terms.unification import is_ground, substitute, unify
 from casper.kb.text.lines import one_line
 from casper.kb.top_down.solve import Solver
 
@@ -74,7 +75,7 @@ class Mendable(Protocol):
     def solver(self) -> Solver:
         """What proves conditions."""
 
-    def why(self, statement: Compound, /) -> Proof | None:
+    def why(self, statement: Compound, /) -> Proof | Doubt | None:
         """A proof of the statement."""
 
     def why_not(self, statement: Compound, history: History, /) -> Refusal | None:
@@ -125,36 +126,70 @@ def _mend(base: Mendable, literal: Literal, depth: int) -> Iterator[Repair]:
     if literal.is_comparison or not is_ground(atom) or atom.indicator in SYSTEM or depth == 0:
         return
     if literal.negated:
-        yield from _shake(base, atom)
+        yield from _shake(base, atom, depth - 1)
         return
     clauses = base.clauses_of(atom.indicator)
     rules = [c for c in clauses if c.body]
     if not rules:
         yield Repair(add=frozenset({atom}))
     for attempt in attempts(atom, rules, base.solver()):
-        if attempt.failed:
+        if attempt.failed and (attempt.failed[0].is_comparison or attempt.failed[0].is_aggregate):
+            yield from _recount(base, atom, attempt.clause, depth - 1)
+        elif attempt.failed:
             yield from _mend(base, attempt.failed[0], depth - 1)
+
+
+def _recount(base: Mendable, atom: Compound, clause: Clause, depth: int) -> Iterator[Repair]:
+    """Changes of one fact that take an answer away from what a clause counts."""
+    bindings = unify(clause.head, atom, {})
+    for literal in clause.body if bindings is not None else ():
+        if literal.is_aggregate:
+            counted = substitute(literal.atom[2], bindings or {})
+            for answer in base.solver().solve([Literal(counted)]):
+                instance = substitute(counted, answer)
+                if is_ground(instance):
+                    yield from _shake(base, instance, depth)
 
 
 def _unclash(base: Mendable, violation: Violation) -> Iterator[Repair]:
     """Changes of one fact towards ending a clash: against any of its conditions."""
     for literal in violation.clash:
-        if literal.is_comparison or literal.atom.indicator in SYSTEM:
+        if literal.is_aggregate:
+            counted = literal.atom[2]
+            for answer in base.solver().solve([Literal(counted)]):
+                yield from _shake(base, substitute(counted, answer), DEEPEST)
+        elif literal.is_comparison or literal.atom.indicator in SYSTEM:
             continue
-        if literal.negated:
+        elif literal.negated:
             yield from _mend(base, Literal(literal.atom), DEEPEST)
         else:
-            yield from _shake(base, literal.atom)
+            yield from _shake(base, literal.atom, DEEPEST)
 
 
-def _shake(base: Mendable, atom: Compound) -> Iterator[Repair]:
+def _shake(base: Mendable, atom: Compound, depth: int) -> Iterator[Repair]:
     """Changes of one fact that take a proof of the atom apart: a given fact gone, or one there that it needs absent."""
     proof = base.why(atom) if is_ground(atom) else None
+    if isinstance(proof, Doubt):
+        yield from _decide(base, proof, depth)
+        return
     for node in proof.premises_first() if proof is not None else ():
         if _is_given(node):
             yield Repair(remove=frozenset({node.fact}))
         elif node.literal.negated and not node.literal.is_comparison:
-            yield from _mend(base, Literal(node.fact), DEEPEST)
+            yield from _mend(base, Literal(node.fact), depth)
+
+
+def _decide(base: Mendable, doubt: Doubt, depth: int) -> Iterator[Repair]:
+    """Changes of one fact that take an undefined atom's reason apart: a condition of its steps gone or there."""
+    for step in doubt.steps:
+        for literal in step.body:
+            if literal.is_comparison or literal == step.literal:
+                continue
+            if literal.negated:
+                yield from _mend(base, Literal(literal.atom), depth)
+            elif is_ground(literal.atom) and isinstance(proof := base.why(literal.atom), Proof):
+                given = (node.fact for node in proof.premises_first() if _is_given(node))
+                yield from (Repair(remove=frozenset({fact})) for fact in given)
 
 
 def _is_given(node: Proof) -> bool:

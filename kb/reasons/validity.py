@@ -7,11 +7,11 @@ which only one value does is filled in (what the paper's SWRL rules were for).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
 from casper.kb.bottom_up.join import Join
-from casper.kb.errors import BudgetExceeded
+from casper.kb.errors import BudgetExceeded, Undefined
 from casper.kb.program.listing import is_range_restricted
 from casper.kb.program.program import Program
 from casper.kb.reasons.printing import verdict_lines
@@ -21,6 +21,7 @@ from casper.kb.terms.clauses import SITUATION, SYSTEM, Clause, Indicator, Litera
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import Bindings, substitute, variables_of
+from casper.kb.terms.unknown import DOUBT
 from casper.kb.text.lines import Line, one_line, text_of
 from casper.kb.top_down.solve import Solver
 
@@ -32,8 +33,8 @@ _FILL_LIMIT = 1000  # instances looked at before a part is given up as open
 class Verdict:
     """The outcome of a verification.
 
-    ``valid`` is None when the search ran out of its budget. ``completed`` is the statement with every part filled in
-    for which only one value is valid; ``refusal`` says why not.
+    ``valid`` is None when it is undefined or the search ran out of its budget (``remark`` says which). ``completed`` is
+    the statement with every part filled in for which only one value is valid; ``refusal`` says why not.
     """
 
     statement: Compound
@@ -65,11 +66,26 @@ class Verdict:
 class Constraints:
     """The constraints of a program: those the facts alone decide are decided once."""
 
-    always: tuple[Violation, ...]
+    always: tuple[Violation, ...]  # those with a doubt may be broken
     by_claim: tuple[tuple[Clause, Join | None], ...] = field(default=())  # compiled, where the rows of all it needs are
 
     def broken_by(self, claim: Compound, solver: Solver) -> Iterator[Violation]:
-        """Every constraint that is broken when the statement is claimed; the solver knows what was done before."""
+        """Every constraint that is broken when the statement is claimed; the solver knows what was done before.
+
+        Raises:
+            Undefined: at the end, when it is undefined of some constraint whether it is broken.
+        """
+        doubt = ""
+        for violation in self.judged(claim, solver):
+            if violation.doubt:
+                doubt = doubt or str(violation)
+            else:
+                yield violation
+        if doubt:
+            raise Undefined(doubt)
+
+    def judged(self, claim: Compound, solver: Solver) -> Iterator[Violation]:
+        """The constraints that are broken, and (with a ``doubt``) those that may be."""
         yield from self.always
         candidates = [(clause, join) for clause, join in self.by_claim if _may_concern(clause, claim)]
         if not candidates:
@@ -77,15 +93,22 @@ class Constraints:
         relations = _Overlay(solver.relations, {("claim", 1): Relation("claim", 1, [(as_term(claim),)])})
         open_ = tuple(variables_of(claim))
         for clause, join in candidates:
-            if join is not None and not open_:
-                solution = join.first(relations)
+            if join is not None and not open_ and _is_settled(clause, relations):
+                failures: list[Bindings] = []
+                solution = join.first(relations, failures.append)
                 if solution is not None:
                     yield _told(clause, clause.body, solution)
-                continue
-            search = Solver(relations, solver.clauses, solver.computed, solver.budget, floundering_fails=True)
+                if solution is not None or not failures:
+                    continue
+            search = solver.over(relations, floundering_fails=True)
             violation = _violation(clause, search, open_)
             if violation is not None:
                 yield violation
+
+
+def _is_settled(clause: Clause, relations: Mapping[Indicator, Relation]) -> bool:
+    """Whether nothing that the constraint needs is undefined."""
+    return all(relations[x.needed].undefined is None for x in clause.body if x.needed is not None)
 
 
 def with_history(relations: Mapping[Indicator, Relation], history: History) -> Mapping[Indicator, Relation]:
@@ -124,14 +147,14 @@ def constraints_of(program: Program, solver: Solver) -> Constraints:
 
 
 def _is_situational(clause: Clause, program: Program) -> bool:
-    needed = {x.atom.indicator for x in clause.body if not x.is_comparison}
+    needed = {x.needed for x in clause.body}
     return not needed.isdisjoint(program.situational | set(SYSTEM))
 
 
 def _compiled(clause: Clause, program: Program) -> Join | None:
     """The constraint as a join, where every predicate it needs is stored or the situation itself."""
     listed = {*SITUATION, *(indicator for stratum in program.strata for indicator in stratum)}
-    needed = {x.atom.indicator for x in clause.body if not x.is_comparison}
+    needed = {x.needed for x in clause.body if x.needed is not None}
     return Join(clause) if needed <= listed and is_range_restricted(clause) else None
 
 
@@ -145,37 +168,59 @@ def _may_concern(clause: Clause, claim: Compound) -> bool:
 
 
 def _violation(clause: Clause, solver: Solver, open_: tuple[Variable, ...] = ()) -> Violation | None:
-    """The first way the constraint is broken for every value of the claim's open parts, or None."""
+    """The first way the constraint is broken for every value of the claim's open parts, or may be; or None."""
     _, body = solver.fresh(clause)
-    for solution in solver.solve(body):
+    doubtful: Violation | None = None
+    for solution in solver.possible(body):
         values = [substitute(variable, solution) for variable in open_]
         if len(set(values)) < len(values) or not all(isinstance(value, Variable) for value in values):
             continue  # broken for some values only: another may still be valid
-        return _told(clause, body, solution)
-    return None
+        if DOUBT not in solution:
+            return _told(clause, body, solution)
+        doubtful = doubtful or replace(_told(clause, body, solution), doubt=str(solution[DOUBT]))
+    return doubtful
 
 
 def _told(clause: Clause, body: Sequence[Literal], solution: Bindings) -> Violation:
     """A violation with the instance of the constraint's body that clashes."""
-    clash = tuple(Literal(substitute(x.atom, solution), x.negated, x.place) for x in body)
-    return Violation(str(clause.head[1]), clause, clash)
+    return Violation(str(clause.head[1]), clause, tuple(x.instance(solution) for x in body))
 
 
 def valid_instances(statement: Compound, solver: Solver, constraints: Constraints) -> Iterator[Compound]:
-    """Every valid instance of the statement, lazily."""
+    """Every valid instance of the statement, lazily.
+
+    Raises:
+        Undefined: at the end, when it is undefined of some other instance whether it is valid.
+    """
     seen: set[Compound] = set()
-    for solution in solver.solve([Literal(statement)]):
+    doubts: dict[Compound, str] = {}
+    for solution in solver.possible([Literal(statement)]):
         instance: Compound = substitute(statement, solution)
-        if instance not in seen:
+        if instance in seen:
+            continue
+        if DOUBT not in solution:
             seen.add(instance)
-            if next(constraints.broken_by(instance, solver), None) is None:
-                yield instance
+        try:
+            broken = next(constraints.broken_by(instance, solver), None) is not None
+        except Undefined as doubt:
+            doubts.setdefault(instance, doubt.sentence)
+            continue
+        if DOUBT in solution and not broken:
+            doubts.setdefault(instance, str(solution[DOUBT]))
+        elif not broken:
+            doubts.pop(instance, None)
+            yield instance
+        else:
+            doubts.pop(instance, None)
+    if doubts:
+        raise Undefined(next(iter(doubts.values())))
 
 
 def verify(statement: Compound, solver: Solver, constraints: Constraints) -> Verdict:
     """Judge one statement; an invalid one comes back without its refusal, which `KnowledgeBase.verify` adds.
 
-    Unknown is not no: a search that outlives its budget before it finds a valid instance gives ``valid=None``.
+    Unknown is not no: a search that outlives its budget before it finds a valid instance gives ``valid=None``, and so
+    does a statement that is undefined.
     """
     completed: Compound | None = None
     try:
@@ -184,7 +229,7 @@ def verify(statement: Compound, solver: Solver, constraints: Constraints) -> Ver
             if completed == statement or number >= _FILL_LIMIT:
                 completed = statement
                 break
-    except BudgetExceeded as mistake:
+    except (BudgetExceeded, Undefined) as mistake:
         if completed is not None:  # one value does; whether another would too is what the search did not tell
             return Verdict(statement, True, statement)
         return Verdict(statement, None, statement, None, mistake.sentence)

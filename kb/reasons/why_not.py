@@ -10,14 +10,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from casper.kb.errors import BudgetExceeded, ProgramError
+from casper.kb.reasons.counting import told
 from casper.kb.reasons.wording import failure_sentence
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.comparison import compare
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
+from casper.kb.terms.values.arithmetic import EvaluationFailed
 from casper.kb.text.lines import one_line
-from casper.kb.top_down.solve import Solver, next_ready
+from casper.kb.top_down.solve import Solver
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,11 +35,18 @@ class Attempt:
 
 @dataclass(frozen=True, slots=True)
 class Violation:
-    """A broken constraint: its sentence, the clause of never/1, and the instantiated conditions that clash."""
+    """A broken constraint: its sentence, the clause of never/1, and the instantiated conditions that clash.
+
+    With a ``doubt`` it is undefined whether it is broken, because of that.
+    """
 
     sentence: str
     clause: Clause
     clash: tuple[Literal, ...]
+    doubt: str = ""
+
+    def __str__(self) -> str:
+        return f'whether this is broken is undefined: "{self.sentence}" ({self.doubt})' if self.doubt else self.sentence
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,16 +58,19 @@ class Refusal:
     violations: tuple[Violation, ...] = ()
     undefined: str = ""
     provable: bool = False  # then only the violations stand against it
+    doubt: str = ""  # why the statement is undefined, rather than false
 
     @property
     def reasons(self) -> tuple[str, ...]:
         """The sentences: failed conditions of the nearest clauses first, then broken constraints."""
-        sentences = [self.undefined] if self.undefined else []
+        sentences = [sentence for sentence in (self.undefined, self.doubt) if sentence]
+        if self.doubt:
+            return (*sentences, *map(str, self.violations))
         fewest = min((len(a.failed) for a in self.attempts if a.failed), default=0)
         for attempt in self.attempts:
             if len(attempt.failed) == fewest:
                 sentences.extend(failure_sentence(literal) for literal in attempt.failed)
-        sentences.extend(v.sentence for v in self.violations)
+        sentences.extend(map(str, self.violations))
         if not sentences and self.attempts:
             sentences.append("the search for a reason stopped at its budget: which condition fails is unknown")
         if not sentences:
@@ -75,8 +87,10 @@ class Refusal:
 def attempts(statement: Compound, clauses: Sequence[Clause], solver: Solver) -> Iterator[Attempt]:
     """For every rule whose head the statement can be, its nearest attempt; nothing for a statement that holds.
 
-    Where the nearest is too far to search for, the first condition that fails stands for it.
+    Where the nearest is too far to search for, the first condition that fails stands for it. What is undefined is not
+    said to fail, unless nothing else stands in the way.
     """
+    solver = replace(solver, doubts_hold=True)
     for clause in clauses:
         plain = settled(clause, statement, solver)
         if plain is not None:
@@ -90,7 +104,7 @@ def attempts(statement: Compound, clauses: Sequence[Clause], solver: Solver) -> 
         for search, share in ((nearest, 10), (first_failing, 1)):
             limited = replace(solver, steps=0, budget=solver.budget // share, floundering_fails=True)
             try:
-                failed = search(body, bindings, limited)
+                failed = search(body, bindings, limited) or search(body, bindings, replace(limited, doubts_hold=False))
             except (BudgetExceeded, RecursionError):
                 continue
             yield Attempt(clause, failed)
@@ -112,15 +126,20 @@ def settled(clause: Clause, statement: Compound, solver: Solver) -> tuple[Litera
         atom = substitute(literal.atom, bindings)
         if not is_ground(atom):
             return None
+        if literal.is_aggregate:
+            return None
         if literal.is_comparison:
-            holds = compare(literal, bindings) is not None
+            try:
+                holds = compare(literal, bindings) is not None
+            except EvaluationFailed:
+                return None
         else:
             relation = solver.relations.get(atom.indicator)
-            if relation is None:
+            if relation is None or relation.undefined is not None:
                 return None
             holds = (atom.args in relation) != literal.negated
         if not holds:
-            failed.append(Literal(atom, literal.negated, literal.place))
+            failed.append(literal.instance(bindings))
     return tuple(failed) or None
 
 
@@ -132,7 +151,7 @@ def nearest(body: Sequence[Literal], bindings: Bindings, solver: Solver) -> tupl
             given_up, solution = found
             kept = [literal for literal in body if any(literal is x for x in given_up)]
             failed = [x for x in kept if _fails(x, solution, solver)]
-            return tuple(Literal(substitute(x.atom, solution), x.negated, x.place) for x in failed or kept)
+            return tuple(told(x, body, solution, solver) for x in failed or kept)
     return tuple(body)
 
 
@@ -140,21 +159,22 @@ def first_failing(body: Sequence[Literal], bindings: Bindings, solver: Solver) -
     """The first condition, in the author's order, that fails however those before it are satisfied, instantiated."""
     held: list[Literal] = []
     for literal in body:
-        if next(solver.solve([*held, literal], bindings), None) is not None:
+        if next(solver.accepted([*held, literal], bindings), None) is not None:
             held.append(literal)
             continue
-        before = next(solver.solve(held, bindings))
+        before = next(solver.accepted(held, bindings))
         if _fails(literal, before, solver):
-            return (Literal(substitute(literal.atom, before), literal.negated, literal.place),)
-    return tuple(body)
+            return (told(literal, body, before, solver),)
+    return ()
 
 
 def _fails(literal: Literal, bindings: Bindings, solver: Solver) -> bool:
     """Whether a condition that was given up does fail; one that only lost what binds it is undecided."""
-    if next_ready([literal], bindings) is None:
+    if solver.next_of([literal], bindings) is None:
         return False
     try:
-        return next(replace(solver, floundering_fails=False).answers(literal, bindings), None) is None
+        search = replace(solver, floundering_fails=False)
+        return not any(search.accepts(found) for found in search.answers(literal, bindings))
     except ProgramError:
         return False
 
@@ -166,11 +186,11 @@ def _give_up(
     if not body:
         yield [], bindings
         return
-    ready = next_ready(body, bindings)
+    ready = solver.next_of(body, bindings)
     at = 0 if ready is None else ready
     literal, rest = body[at], body[:at] + body[at + 1 :]
     if ready is not None:
-        for extended in solver.answers(literal, bindings):
+        for extended in filter(solver.accepts, solver.answers(literal, bindings)):
             yield from _give_up(rest, extended, allowed, solver)
     if allowed:
         for given_up, solution in _give_up(rest, bindings, allowed - 1, solver):

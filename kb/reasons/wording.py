@@ -21,6 +21,11 @@ _ADJECTIVES = frozenset(  # without one
 def failure_sentence(literal: Literal) -> str:
     """Why the (instantiated) condition does not hold: ``tiago is not a human``."""
     atom = literal.atom
+    if literal.remark:
+        return literal.remark
+    if literal.shown is not None:
+        shown = term_text(literal.shown)
+        return f"{shown} {'holds' if literal.negated else 'does not hold'}"
     if literal.is_comparison:
         return _comparison_sentence(literal)
     if atom.arity == 1 and is_ground(atom):

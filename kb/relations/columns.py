@@ -120,6 +120,13 @@ class Table:
         self._push(Run(new, np.full(len(codes), round_, np.int64)))
         return new
 
+    def fill(self, codes: Ids, rounds: Ids) -> None:
+        """Put distinct rows into an empty table, each with its round."""
+        if len(codes):
+            if self._bitmap is not None:
+                self._bitmap[codes] = True
+            self._push(Run(decode(codes, self.base, self.arity), rounds))
+
     def has(self, codes: Ids) -> NDArray[np.bool_]:
         """Which of the row codes are there."""
         if self._bitmap is not None:

@@ -13,6 +13,7 @@ class LayeredRelation(Relation):
     def __init__(self, below: Relation) -> None:
         super().__init__(below.name, below.arity)
         self.below = below
+        self.undefined = below.undefined
         self.gone: set[Row] = set()
 
     def add(self, row: Row, round_: int = 0) -> bool:

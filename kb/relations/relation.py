@@ -22,6 +22,7 @@ class Relation:
         self.name, self.arity = name, arity
         self.rows: dict[Row, int] = dict.fromkeys(rows, 0)
         self._indexes: dict[Columns, Index] = {}
+        self.undefined: Relation | None = None  # rows that are neither true nor false; none is an empty relation
         self.touched = 0  # rows handed out by lookups: the measure of work that tests count
 
     def add(self, row: Row, round_: int = 0) -> bool:
@@ -90,7 +91,8 @@ class Relation:
 
 
 def copied(relation: Relation) -> Relation:
-    """A plain relation of the same rows and rounds."""
+    """A plain relation of the same rows and rounds; what is undefined is never changed in place, so both have it."""
     found = Relation(relation.name, relation.arity)
     found.rows = {row: relation.round_of(row) for row in relation}
+    found.undefined = relation.undefined
     return found

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import lru_cache, wraps
 from threading import RLock
 from typing import Any, Concatenate, ParamSpec, Self, TypeAlias, TypeVar
 from weakref import ref
 
-from casper.kb.errors import ProgramError
+from casper.kb.errors import ProgramError, Undefined
+from casper.kb.program.declarations import Moded, declaration, tabled
 from casper.kb.program.refusals import undefined_sentence
-from casper.kb.reasons.validity import History, valid_instances, with_history
+from casper.kb.reasons.validity import History, valid_instances
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.store.loading import loading
 from casper.kb.store.model import Model
-from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence
+from casper.kb.terms.builtins import BUILTINS
+from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence, is_auxiliary
 from casper.kb.terms.origins import FactBlock, Origin, clause_behind
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
@@ -23,7 +26,10 @@ from casper.kb.terms.unification import is_ground, unify
 from casper.kb.text.lines import text_of
 from casper.kb.text.reader import read_blocks, read_statement, read_text
 from casper.kb.text.writer import MOST_SHOWN, indicators_text, program_lines, program_text
-from casper.kb.top_down.solve import DEFAULT_BUDGET, Computed, Solver
+from casper.kb.top_down.answering import Answering
+from casper.kb.top_down.compiled.cells import variant
+from casper.kb.top_down.linking import Computed
+from casper.kb.top_down.solve import DEFAULT_BUDGET
 
 Statement: TypeAlias = str | tuple[Term, ...]  # text, or a Compound / a tuple that starts with the name
 NO_HISTORY: History = ()
@@ -55,9 +61,13 @@ class ClauseStore:
         self._clauses: dict[Clause, None] = dict.fromkeys(clauses)  # in the author's order, each once
         self._bulk: dict[Indicator, dict[Row, Origin]] = {}
         self._dynamic: set[Indicator] = set(dynamic)
+        self._least: dict[Indicator, Moded] = {}
+        self._stored: set[Indicator] = set()  # whose rows are to be listed, however many
         self._statements: dict[Indicator, None] = {}
         self._cached: Model | None = None
         self._true: set[Statement] = set()  # stored statements that hold, once they are indexed
+        self._false: set[Statement] = set()  # statements that were asked and do not hold
+        self._validated: dict[Hashable, list[Compound]] = {}  # answers of valid/1, by what was asked
         self._index_in: int | None = 0  # questions until they are
         self.changes = 0  # how often something was added or taken back: what was asked before may be different now
         self.lock = RLock()  # held while anything changes, and while something is looked up that may
@@ -85,7 +95,9 @@ class ClauseStore:
         return base
 
     def add(self, sentences: Iterable[Sentence]) -> None:
-        """Add clauses and ``:- dynamic(name/arity).`` declarations; productions are the plan library's, not ours.
+        """Add clauses and declarations (``:- dynamic``, ``table``, ``discontiguous``).
+
+        Productions are the plan library's, not ours.
 
         Raises:
             ProgramError: a directive nobody knows, or a production.
@@ -96,7 +108,10 @@ class ClauseStore:
                 if isinstance(sentence, Clause):
                     self._clauses.setdefault(sentence)
                 elif isinstance(sentence, Directive):
-                    self._dynamic.add(_dynamic(sentence))
+                    declared = declaration(sentence)
+                    self._dynamic.update(declared.dynamic)
+                    self._least.update(declared.least)
+                    self._stored.update(declared.stored)
                 else:
                     mistake = "a plan (-->) belongs in a plan library, not in a knowledge base"
                     raise ProgramError(mistake, sentence.place)
@@ -120,6 +135,7 @@ class ClauseStore:
         """Name the predicates that are action statements: what ``valid(S)`` enumerates when S is unknown."""
         with self._changing():
             self._statements.update(dict.fromkeys(statements))
+            self._validated = {}
 
     def compile(self) -> None:
         """Check, stratify and materialise now instead of at the first question.
@@ -138,7 +154,9 @@ class ClauseStore:
 
     def to_text(self) -> str:
         """The clauses as text that reads in as the same model."""
-        declared = [Directive(Compound(("dynamic", Compound(("/", *i))))) for i in sorted(self._dynamic)]
+        kinds = (("dynamic", self._dynamic), ("stored", self._stored))
+        declared = [Directive(Compound((kind, Compound(("/", *i))))) for kind, found in kinds for i in sorted(found)]
+        declared += [tabled(indicator, moded) for indicator, moded in sorted(self._least.items())]
         return program_text([*declared, *self.clauses])
 
     # --- what if, and change ---------------------------------------------------------------------------------------
@@ -152,7 +170,8 @@ class ClauseStore:
         """
         base = type(self)()
         base._below = self
-        base._clauses, base._dynamic = dict(self._clauses), set(self._dynamic) | set(self._model.program.clauses)
+        base._clauses, base._dynamic = dict(self._clauses), set(self._dynamic) | self._own_predicates()
+        base._least, base._stored = dict(self._least), set(self._stored)
         base._bulk, base._shared, base._statements = dict(self._bulk), set(self._bulk), dict(self._statements)
         base._cached = self._model.layer(base._computed)
         for fact in without:
@@ -198,7 +217,7 @@ class ClauseStore:
             self._forget()
             return True
         self.changes += 1
-        self._true = set()
+        self._true, self._false, self._validated = set(), set(), {}
         self._index_in = MOST_INDEXED  # by then the questions have cost as much as indexing anew
         try:
             return self._model.change(atom.indicator, atom.args, clause, add=clause is not None)
@@ -245,6 +264,8 @@ class ClauseStore:
                 view = object.__new__(type(self))
                 ClauseStore.__init__(view)
                 view._clauses, view._bulk, view._dynamic = self._clauses, self._bulk, self._dynamic
+                view._least, view._stored = self._least, self._stored
+                view._false, view._validated = self._false, self._validated
                 view._statements, view._cached, view.changes = self._statements, self._model, self.changes
                 view._true, view._index_in, view._view = self._true, None, _frozen
                 self._view = ref(view)
@@ -272,6 +293,7 @@ class ClauseStore:
         """Leave everything to the snapshot that has it, and go on with copies and a layer over the model."""
         self._view = _nobody
         self._clauses, self._dynamic = dict(self._clauses), set(self._dynamic)
+        self._least, self._stored = dict(self._least), set(self._stored)
         self._bulk, self._shared, self._statements = dict(self._bulk), set(self._bulk), dict(self._statements)
         if self._cached is not None:
             self._cached = self._cached.apart(self._computed)
@@ -287,7 +309,8 @@ class ClauseStore:
         """By what was stated: what follows is worked out anew where it arrives. A snapshot arrives as a base."""
         with self.lock:
             bulk = {i: {row: _kept(i, row, origin) for row, origin in rows.items()} for i, rows in self._bulk.items()}
-            return _restated, (type(self), tuple(self._clauses), bulk, tuple(self._dynamic), tuple(self._statements))
+            stated = tuple(self._clauses), bulk, tuple(self._dynamic), tuple(self._statements)
+            return _restated, (type(self), *stated, tuple(self._least.items()), tuple(self._stored))
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         """A base that goes its own way; clauses and rows never change, so both have the same."""
@@ -321,21 +344,20 @@ class ClauseStore:
         Raises:
             ProgramError: with what may have been meant.
         """
-        if indicator not in SYSTEM and indicator not in self._model.program.clauses:
+        if indicator not in SYSTEM and indicator not in BUILTINS and indicator not in self._model.program.clauses:
             raise ProgramError(undefined_sentence(indicator, self._model.program.clauses))
 
     def stored(self, indicator: Indicator) -> Relation | None:
-        """The relation of a predicate whose rows are all listed; None for one that is answered top-down.
+        """The relation of a predicate whose rows are all at hand; None for one that is answered top-down for now.
 
         It follows the changes: other threads read it under ``lock``, or ask a snapshot for it.
         """
-        return (self._cached or self._model).relations.get(indicator)
+        return (self._cached or self._model).at_hand.get(indicator)
 
     @of_one_moment
-    def solver(self, budget: int = DEFAULT_BUDGET, history: History = NO_HISTORY) -> Solver:
+    def solver(self, budget: int = DEFAULT_BUDGET, history: History = NO_HISTORY) -> Answering:
         """A fresh search over everything that holds now, after what happened earlier."""
-        model = self._model
-        return Solver(with_history(model.relations, history), model.program.clauses, self._computed, budget)
+        return replace(self._model.search(history, budget), computed=self._computed)
 
     @property
     def _computed(self) -> Mapping[Indicator, Computed]:
@@ -344,41 +366,75 @@ class ClauseStore:
     def _forget(self) -> None:
         """Everything has to be worked out anew."""
         self.changes += 1
-        self._cached, self._true, self._index_in = None, set(), 0
+        self._cached, self._index_in = None, 0
+        self._true, self._false, self._validated = set(), set(), {}
 
     @property
     def _model(self) -> Model:
         model = self._cached
         if model is None:
             with self.lock:
-                model = self._cached or Model.of(self._clauses, self._dynamic, self._bulk, self._computed)
+                stated = self._clauses, self._dynamic, self._bulk
+                model = self._cached or Model.of(*stated, self._computed, self._least, self._stored)
                 self._cached = model
         return model
 
     def _valid(self, atom: Compound) -> Iterator[Compound]:
-        """The computed relation valid/1."""
-        wanted = atom[1]
+        """The computed relation valid/1; what was found of it in full is kept until something changes."""
+        key, kept = variant(atom.args), self._validated
+        known = kept.get(key)
+        if known is not None:
+            yield from known
+            return
+        found = list[Compound]()
+        for answer in self._valid_anew(atom[1]):
+            if len(found) <= MOST_INDEXED:
+                found.append(answer)
+            yield answer
+        if kept is self._validated and len(found) + len(kept) <= MOST_INDEXED:
+            kept[key] = found
+
+    def _valid_anew(self, wanted: Term) -> Iterator[Compound]:
         if isinstance(wanted, Variable):
             patterns = [Compound([n, *(Variable(f"V{i}") for i in range(a))]) for n, a in self._statement_predicates()]
         else:
             patterns = [predication(wanted)] if isinstance(wanted, (str, tuple)) else []  # a number is no statement
+        doubt: Undefined | None = None
         for pattern in patterns:
             if pattern.indicator in self._model.program.clauses:
-                found = valid_instances(pattern, self.solver(), self._model.constraints)
-                yield from (Compound(("valid", as_term(instance))) for instance in found)
+                constraints = self._model.constraints  # which may list what follows: before the search begins
+                found = valid_instances(pattern, self.solver(), constraints)
+                try:
+                    yield from (Compound(("valid", as_term(instance))) for instance in found)
+                except Undefined as mistake:
+                    doubt = doubt or mistake
+        if doubt is not None:
+            raise doubt
 
     def _broken(self, atom: Compound) -> Iterator[Compound]:
         """The computed relation never/1: the constraints that the facts alone break."""
+        doubts: dict[str, str] = {}
         for violation in self._model.constraints.always:
             answer = Compound(("never", violation.sentence))
             if unify(atom, answer, {}) is not None:
-                yield answer
+                if not violation.doubt:
+                    doubts.pop(violation.sentence, None)
+                    yield answer
+                else:
+                    doubts.setdefault(violation.sentence, str(violation))
+        if doubts:
+            raise Undefined(next(iter(doubts.values())))
+
+    def _own_predicates(self) -> set[Indicator]:
+        """The predicates that are defined, without those that only stand for goals inside clauses."""
+        return {i for i in self._model.program.clauses if not is_auxiliary(i)}
 
     def _statement_predicates(self) -> list[Indicator]:
         """The declared action statements; without a declaration, every stored predicate that has a rule."""
         model = self._model
-        derived = (i for i, found in model.program.clauses.items() if any(c.body for c in found))
-        return list(self._statements) or [i for i in derived if i in model.relations]
+        own = self._own_predicates()
+        derived = (i for i, found in model.program.clauses.items() if i in own and any(c.body for c in found))
+        return list(self._statements) or [i for i in derived if model.keeps(i)]
 
     def _statement(self, statement: Statement) -> Compound:
         return _statement_of_text(statement) if isinstance(statement, str) else predication(statement)
@@ -411,13 +467,15 @@ def _restated(
     bulk: Mapping[Indicator, Mapping[Row, Origin]],
     dynamic: Iterable[Indicator],
     statements: Iterable[Indicator],
+    least: Iterable[tuple[Indicator, Moded]] = (),
+    stored: Iterable[Indicator] = (),
 ) -> S:
     """A knowledge base of what was stated."""
     base = kind()
+    base._least, base._stored = dict(least), set(stored)
     base._clauses, base._dynamic, base._statements = dict.fromkeys(clauses), set(dynamic), dict.fromkeys(statements)
     base._bulk = {indicator: dict(rows) for indicator, rows in bulk.items()}
     return base
-
 
 
 def _kept(indicator: Indicator, row: Row, origin: Origin) -> Origin:
@@ -428,14 +486,3 @@ def _kept(indicator: Indicator, row: Row, origin: Origin) -> Origin:
 def _stated(indicator: Indicator, row: Row, origin: Origin) -> Clause:
     """The fact that states a row."""
     return clause_behind(Compound((indicator[0], *row)), origin)
-
-
-def _dynamic(directive: Directive) -> Indicator:
-    """The predicate of a ``:- dynamic(name/arity).`` declaration."""
-    term = directive.term
-    inner = term[1] if term.indicator == ("dynamic", 1) else None
-    if isinstance(inner, Compound) and inner.indicator == ("/", 2):
-        name, arity = inner.args
-        if isinstance(name, str) and isinstance(arity, int) and arity >= 0:
-            return name, arity
-    raise ProgramError(f"the only directive is :- dynamic(name/arity), not {term_text(as_term(term))}", directive.place)

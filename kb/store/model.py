@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, MutableMapping
-from dataclasses import dataclass, replace
-from functools import cached_property
+from collections.abc import Collection, Iterable, Iterator, Mapping, MutableMapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
+from threading import RLock
 
 from casper.kb.bottom_up.heights import least_heights
 from casper.kb.bottom_up.incremental import Change, Maintenance, TooMuch
 from casper.kb.bottom_up.materialise import materialise
 from casper.kb.errors import ProgramError
+from casper.kb.program.declarations import Moded
 from casper.kb.program.program import Program, analyse
-from casper.kb.reasons.validity import Constraints, constraints_of
+from casper.kb.reasons.validity import Constraints, History, constraints_of, with_history
 from casper.kb.relations.layered import LayeredRelation
 from casper.kb.relations.relation import Relation, Row, copied
+from casper.kb.store.on_demand import check_storable, code_of, facts_key, facts_of, index, is_demanded, listed_of
 from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.terms.origins import Origin
-from casper.kb.top_down.solve import Computed, Solver
+from casper.kb.top_down.answering import Answering
+from casper.kb.top_down.linking import Code, Computed, Links
+from casper.kb.top_down.solve import DEFAULT_BUDGET
 
 MOST_EXACT = 50_000  # rows up to which proofs are of least height whatever happened
 MOST_LAYERS = 8  # laid over one another before their rows are put together again
@@ -31,12 +36,14 @@ class Model:
 
     program: Program
     given: Mapping[Indicator, MutableMapping[Row, Origin]]
-    relations: MutableMapping[Indicator, Relation]
+    facts: MutableMapping[Indicator, Relation]  # all that is at hand until the rows of the rules are listed
     computed: Mapping[Indicator, Computed]
     maintenance: Maintenance
+    listed: MutableMapping[Indicator, Relation] | None = None
     changed: bool = False
     round: int = 1 << 40  # of the next change; later than any round of a fixpoint
     layers: int = 0  # how many models this one is laid over
+    lock: RLock = field(default_factory=RLock)  # held while rows are listed: rows and code change at once
 
     @classmethod
     def of(
@@ -45,23 +52,88 @@ class Model:
         dynamic: Iterable[Indicator],
         bulk: Mapping[Indicator, dict[Row, Origin]],
         computed: Mapping[Indicator, Computed],
+        least: Mapping[Indicator, Moded] | None = None,
+        stored: Collection[Indicator] = (),
     ) -> Model:
-        """Analyse and materialise.
+        """Analyse, and list what follows from the facts where they are few, or where a ``stored`` predicate wants it.
 
         Raises:
             ProgramError, BudgetExceeded: see `kb.program.program.analyse` and `kb.bottom_up.materialise.materialise`.
         """
-        program = analyse(clauses, dynamic, bulk)
-        try:
-            relations = materialise(program)
-        except RecursionError:
-            raise ProgramError("the facts hold a term that is nested too deeply") from None
-        return cls(program, program.given, relations, computed, Maintenance(program))
+        program = analyse(clauses, dynamic, bulk, least)
+        for indicator in stored:
+            check_storable(program, indicator)
+        model = cls(program, program.given, {}, computed, Maintenance(program))
+        if is_demanded(program) and not listed_of(program) & set(stored):
+            model.facts = facts_of(program)
+            index(program, model.facts)
+        else:
+            _ = model.relations
+        return model
+
+    @property
+    def relations(self) -> MutableMapping[Indicator, Relation]:
+        """The rows of everything that can be listed; worked out when they are first asked for."""
+        listed = self.listed
+        if listed is not None:
+            return listed
+        with self.lock:
+            if self.listed is None:
+                try:
+                    self.listed = materialise(replace(self.program, given=self.given))  # type: ignore[arg-type]
+                except RecursionError:
+                    raise ProgramError("the facts hold a term that is nested too deeply") from None
+                self.facts = {}
+            return self.listed
+
+    @property
+    def at_hand(self) -> MutableMapping[Indicator, Relation]:
+        """The rows that are there now."""
+        listed = self.listed
+        if listed is not None:
+            return listed
+        with self.lock:
+            return self.facts if self.listed is None else self.listed
+
+    def _at_hand(self) -> tuple[MutableMapping[Indicator, Relation], Code, bool]:
+        """The rows that are there now, with the clauses that go with them, and whether that is all."""
+        with self.lock:
+            if self.listed is None:
+                return self.facts, self.demand_code, False
+            return self.listed, self.code, True
+
+    @property
+    def links(self) -> Links:
+        """How every predicate is answered just now."""
+        relations, code, _ = self._at_hand()
+        return Links(relations, code, self.computed)
+
+    def search(self, history: History = (), budget: int = DEFAULT_BUDGET) -> Answering:
+        """A fresh search over what is at hand."""
+        relations, code, is_all = self._at_hand()
+        listed = None if is_all else partial(self.full_search, history, budget)
+        seen = with_history(relations, history)
+        return Answering(seen, code.clauses, self.computed, budget, code=code, listed=listed)
+
+    def full_search(self, history: History = (), budget: int = DEFAULT_BUDGET) -> Answering:
+        """A fresh search over everything that can be listed."""
+        _ = self.relations
+        return self.search(history, budget)
 
     @cached_property
     def constraints(self) -> Constraints:
         """The constraints, those that the facts alone decide decided now."""
-        return constraints_of(self.program, Solver(self.relations, self.program.clauses, self.computed))
+        return constraints_of(self.program, self.full_search() if self.program.constraints else self.search())
+
+    @cached_property
+    def code(self) -> Code:
+        """The clauses as searches run them over listed rows."""
+        return Code(self.program.clauses)
+
+    @cached_property
+    def demand_code(self) -> Code:
+        """The clauses as searches run them while only the facts are at hand."""
+        return code_of(self.program, self.facts)
 
     @cached_property
     def proofs(self) -> Mapping[Indicator, Relation]:
@@ -70,14 +142,14 @@ class Model:
         A large base that has more than one stratum, or that changed, keeps its rounds as they are: its proofs are
         well-founded, but a shorter one may exist.
         """
-        exact = len(self.program.strata) <= 1 and not self.changed
+        exact = len(self.program.strata) <= 1 and not self.changed and not (self.program.circular or self.program.least)
         if exact or sum(map(len, self.relations.values())) > MOST_EXACT:
             return self.relations
         return least_heights(replace(self.program, given=self.given), self.relations)  # type: ignore[arg-type]
 
     def keeps(self, indicator: Indicator) -> bool:
         """Whether facts of the predicate can come and go without a new analysis."""
-        return indicator in self.relations
+        return indicator in self.program.rules and indicator not in self.program.top_down
 
     def change(self, indicator: Indicator, row: Row, clause: Origin, *, add: bool) -> bool:
         """Give or take back a base fact and bring the rows in step; False when it changes nothing."""
@@ -91,31 +163,39 @@ class Model:
         self.changed = True
         self.__dict__.pop("constraints", None)
         self.__dict__.pop("proofs", None)
+        if self.listed is None:
+            facts = self.facts[facts_key(self.program, indicator)]
+            if not len(facts):  # its rules alone were asked until now
+                self.__dict__.pop("demand_code", None)
+            return facts.add(row) if add else facts.remove(row)
         here: Change = {indicator: {row: None}}
         try:
             added, removed = (here, {}) if add else ({}, here)
-            self.round = self.maintenance.update(self.given, self.relations, added, removed, self.round)
+            self.round = self.maintenance.update(self.given, self.listed, added, removed, self.round)
         except TooMuch:
             self._recompute()
         return True
 
     def _recompute(self) -> None:
-        program = Program(**{**self.program.__dict__, "given": self.given})
-        self.relations = materialise(program)
+        self.listed = materialise(replace(self.program, given=self.given))  # type: ignore[arg-type]
 
     def layer(self, computed: Mapping[Indicator, Computed]) -> Model:
         """A model laid over this one: what changes there leaves this one as it is."""
-        given, relations = _Layers(self.given, _GivenLayer), _Layers(self.relations, LayeredRelation)
-        above = self.layers + 1
-        return Model(self.program, given, relations, computed, self.maintenance, self.changed, self.round, above)
+        with self.lock:
+            given, facts = _Layers(self.given, _GivenLayer), _Layers(self.facts, LayeredRelation)
+            listed = None if self.listed is None else _Layers(self.listed, LayeredRelation)
+        kept = self.maintenance, listed, self.changed, self.round
+        return Model(self.program, given, facts, computed, *kept, self.layers + 1)
 
     def apart(self, computed: Mapping[Indicator, Computed]) -> Model:
         """The same model to be changed while somebody goes on reading this one."""
         if self.layers < MOST_LAYERS:
             return self.layer(computed)
         given: dict[Indicator, MutableMapping[Row, Origin]] = {i: dict(self.given[i]) for i in self.given}
-        relations = {i: copied(self.relations[i]) for i in self.relations}
-        return Model(self.program, given, relations, computed, self.maintenance, self.changed, self.round)
+        with self.lock:
+            facts = {i: copied(self.facts[i]) for i in self.facts}
+            listed = None if self.listed is None else {i: copied(self.listed[i]) for i in self.listed}
+        return Model(self.program, given, facts, computed, self.maintenance, listed, self.changed, self.round)
 
 
 class _Layers(dict):  # type: ignore[type-arg]

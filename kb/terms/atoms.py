@@ -9,6 +9,7 @@ import re
 import unicodedata
 
 NIL = "[]"
+_LONG, _AT_ONCE = 13_000, 4_000  # bits from which an integer is written in parts; digits of a part
 SIGNS = "#$&*+-./:<=>?@\\^~"
 _PLAIN = re.compile(r"[a-z][A-Za-z0-9_]*\Z")
 _ESCAPED = {"\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r", "\a": "\\a", "\b": "\\b", "\f": "\\f", "\v": "\\v"}
@@ -62,6 +63,8 @@ def _escaped(character: str) -> str:
 
 def number_text(number: int | float) -> str:
     """A number as SWI-Prolog writes it: the fewest digits that read in again as the same, and never ``1e5``."""
+    if isinstance(number, int) and number.bit_length() > _LONG:
+        return _digits(number)
     if isinstance(number, bool) or not isinstance(number, float) or number in (float("inf"), float("-inf")):
         return str(number)
     if number != number:
@@ -74,6 +77,15 @@ def number_text(number: int | float) -> str:
     if len(digits) > point:
         return f"{sign}{digits[:point]}.{digits[point:]}"
     return f"{sign}{digits}{'0' * (point - len(digits))}.0"
+
+
+def _digits(number: int) -> str:
+    """An integer of more digits than Python writes at once."""
+    parts, rest = [], abs(number)
+    while rest:
+        rest, part = divmod(rest, 10**_AT_ONCE)
+        parts.append(str(part).rjust(_AT_ONCE, "0") if rest else str(part))
+    return ("-" if number < 0 else "") + "".join(reversed(parts))
 
 
 def _decimal(number: float) -> tuple[str, str, int]:

@@ -10,9 +10,10 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from casper.kb.errors import Place
+from casper.kb.terms.control import CONTROL
 from casper.kb.terms.syntax import COMPARISONS, statement_text, term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term
-from casper.kb.terms.unification import variables_of
+from casper.kb.terms.unification import Bindings, renamed, substitute, variables_of
 
 NOWHERE = Place()
 
@@ -21,28 +22,84 @@ DID: Indicator = ("did", 2)
 SITUATION: tuple[Indicator, ...] = (("claim", 1), DID)
 COMPUTED: tuple[Indicator, ...] = (("valid", 1), ("never", 1))
 SYSTEM: tuple[Indicator, ...] = (*SITUATION, *COMPUTED)
+AGGREGATE = "aggregate_all"  # as a condition of a program: aggregate_all(What, auxiliary(...), Result)
+AUXILIARY = "goal: "  # in front of the names of predicates that stand for a goal inside a clause; no text has such
+
+
+def is_auxiliary(indicator: Indicator) -> bool:
+    """Whether a predicate stands for a goal inside a clause."""
+    return indicator[0].startswith(AUXILIARY)
 
 
 @dataclass(frozen=True, slots=True)
 class Literal:
-    """One condition of a body: an atom, perhaps negated, or a comparison (an atom whose functor is an operator)."""
+    """One condition of a body: an atom, perhaps negated, a comparison (an atom whose functor is an operator), or an
+    aggregate over the answers of an atom.
+    """
 
     atom: Compound
     negated: bool = False
     place: Place = field(default=NOWHERE, compare=False)
+    shown: Term | None = field(default=None, compare=False)  # how it was written, where that is not the atom
+    remark: str = field(default="", compare=False)  # of an instance that fails: why, where the atom does not tell
 
     @property
     def is_comparison(self) -> bool:
         """Whether the condition is tested on values rather than looked up."""
         return len(self.atom) == 3 and self.atom[0] in COMPARISONS
 
+    @property
+    def is_aggregate(self) -> bool:
+        """Whether the condition is worked out of all answers of another one: its second argument."""
+        return len(self.atom) == 4 and self.atom[0] == AGGREGATE
+
+    @property
+    def is_strict(self) -> bool:
+        """Whether all answers of what it needs must be known before it can be decided."""
+        return (self.negated and not self.is_comparison) or self.is_aggregate
+
+    @property
+    def needed(self) -> Indicator | None:
+        """The predicate that is looked up; None for a comparison."""
+        if self.is_comparison:
+            return None
+        inner: Compound = self.atom[2] if self.is_aggregate else self.atom
+        return inner.indicator
+
+    def strict_variables(self) -> Iterator[Variable]:
+        """What must be known before a negation or an aggregate can be decided."""
+        return (v for v in variables_of(self.atom[2] if self.is_aggregate else self.atom) if not v.is_anonymous)
+
+    def binds(self) -> set[Variable]:
+        """The variables that are known once the condition is decided, besides those that were known before."""
+        if self.is_aggregate:
+            return set(variables_of(self.atom[3]))
+        if self.negated or (self.is_comparison and self.atom[0] not in ("=", "is")):
+            return set()
+        return set(variables_of(self.atom))
+
+    def instance(self, bindings: Bindings) -> Literal:
+        """The condition with every bound variable replaced."""
+        shown = None if self.shown is None else renamed([substitute(self.shown, bindings)], 0)[0]
+        return Literal(substitute(self.atom, bindings), self.negated, self.place, shown)
+
     def variables(self) -> list[Variable]:
         """The variables of the condition, in order."""
         return list(variables_of(self.atom))
 
     def __str__(self) -> str:
-        text = term_text(self.atom, 700) if self.is_comparison else statement_text(self.atom)
+        text = self._text()
         return f"\\+ {text}" if self.negated else text
+
+    def _text(self) -> str:
+        """The condition as it was written, without its negation."""
+        term = as_term(self.atom) if self.shown is None else self.shown
+        if self.is_comparison and self.shown is None:
+            return term_text(term, 700)
+        if not isinstance(term, Compound):
+            return term_text(term)
+        is_control = term.indicator in CONTROL or term[0] in (",", ";")
+        return term_text(term, 900 if self.negated else 999) if is_control else statement_text(term)
 
 
 @dataclass(frozen=True, slots=True)

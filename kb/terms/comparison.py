@@ -1,28 +1,27 @@
-"""Comparisons in a body: ``=``, ``\\=``, ``==``, ``\\==``, ``<``, ``>``, ``=<``, ``>=`` and ``is``."""
+"""Comparisons in a body: ``=``, ``\\=``, ``==``, ``\\==``, ``<``, ``>``, ``=<``, ``>=``, ``=:=``, ``=\\=`` and ``is``.
+
+A comparison whose sides cannot be evaluated neither holds nor fails: it raises `EvaluationFailed`.
+"""
 
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from casper.kb.terms.clauses import Literal
-from casper.kb.terms.terms import Compound, Term
+from casper.kb.terms.terms import Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
+from casper.kb.terms.values.arithmetic import compiled, evaluate, unknown_functions
 
 _ORDER: dict[str, Callable[[Any, Any], bool]] = {
     "<": operator.lt,
     ">": operator.gt,
     "=<": operator.le,
     ">=": operator.ge,
+    "=:=": operator.eq,
+    "=\\=": operator.ne,
 }
-_ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
-    "+": operator.add,
-    "-": operator.sub,
-    "*": operator.mul,
-    "/": operator.truediv,
-}
-_LARGEST = 10**18  # beyond it a number is refused: a derivation that counts up must not eat the memory
 
 
 def is_ready(literal: Literal, bindings: Bindings) -> bool:
@@ -36,7 +35,11 @@ def is_ready(literal: Literal, bindings: Bindings) -> bool:
 
 
 def compare(literal: Literal, bindings: Bindings) -> Bindings | None:
-    """The bindings under which a ready comparison holds, or None; what is no number never compares as one."""
+    """The bindings under which a ready comparison holds, or None.
+
+    Raises:
+        EvaluationFailed: a side has no value; then the comparison is undefined, and so is its negation.
+    """
     operator_, left, right = literal.atom
     extended = _holds(str(operator_), left, right, bindings)
     if literal.negated:
@@ -51,26 +54,26 @@ def _holds(operator_: str, left: Term, right: Term, bindings: Bindings) -> Bindi
         return bindings if unify(left, right, bindings) is None else None
     if operator_ == "==":
         return bindings if substitute(left, bindings) == substitute(right, bindings) else None
-    value = evaluate(substitute(right, bindings))
-    if value is None:
-        return None
     if operator_ == "is":
-        return unify(left, value, bindings)
-    other = evaluate(substitute(left, bindings))
-    return bindings if other is not None and _ORDER[operator_](other, value) else None
+        return unify(left, evaluate(substitute(right, bindings)), bindings)
+    values = evaluate(substitute(left, bindings)), evaluate(substitute(right, bindings))
+    return bindings if _ORDER[operator_](*values) else None
 
 
-def evaluate(term: Term) -> int | float | None:
-    """The value of a ground arithmetic term, or None when it has none (not numbers, division by zero, too large)."""
-    if isinstance(term, (int, float)):
-        return term
-    if isinstance(term, Compound) and term.arity == 2 and term.functor in _ARITHMETIC:
-        left, right = evaluate(term[1]), evaluate(term[2])
-        if left is None or right is None or (term.functor == "/" and right == 0):
-            return None
-        try:
-            value: int | float = _ARITHMETIC[term.functor](left, right)
-        except OverflowError:  # an integer too large to become a float
-            return None
-        return value if abs(value) <= _LARGEST else None
-    return None
+def compiled_test(literal: Literal, slots: Mapping[Variable, int]) -> Callable[[Sequence[Term]], bool] | None:
+    """`compare` for an order of numbers whose variables are all known, in an environment; None for other conditions."""
+    operator_, left, right = literal.atom
+    if operator_ not in _ORDER:
+        return None
+    holds, one, other, wanted = _ORDER[operator_], compiled(left, slots), compiled(right, slots), not literal.negated
+    return lambda environment: holds(one(environment), other(environment)) is wanted
+
+
+def misspelt(literal: Literal) -> Iterator[str]:
+    """Functions and constants in the condition's expressions that nothing computes: ``foo/1``."""
+    operator_, left, right = literal.atom
+    if operator_ == "is":
+        yield from unknown_functions(right)
+    elif operator_ in _ORDER:
+        yield from unknown_functions(left)
+        yield from unknown_functions(right)

@@ -11,7 +11,7 @@ from typing import Any
 from casper.kb.terms.atoms import NIL, is_signs, is_word, number_text, quoted
 from casper.kb.terms.operators import ARGUMENT, HIGHEST, STANDARD
 
-COMPARISONS = frozenset({"=", "\\=", "==", "\\==", "<", ">", "=<", ">=", "is"})
+COMPARISONS = frozenset({"=", "\\=", "==", "\\==", "<", ">", "=<", ">=", "=:=", "=\\=", "is"})
 _BARE = frozenset({NIL, "{}"})
 
 

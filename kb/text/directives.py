@@ -10,7 +10,7 @@ from casper.kb.terms.terms import NIL, Compound, Term, list_items
 
 OP = ("op", 3)
 _FIXED = frozenset({":-", "-->", ",", "|", ";", "->", "\\+", NIL, "{}"})
-_SEVERAL = frozenset({"dynamic", "table", "discontiguous"})  # may name several predicates at once
+_SEVERAL = frozenset({"dynamic", "table", "discontiguous", "stored"})  # may name several predicates at once
 
 
 class Refused(ValueError):

@@ -12,7 +12,7 @@ from casper.kb.terms.syntax import COMPARISONS, term_text
 from casper.kb.terms.terms import Compound, Term, Variable, predication
 from casper.kb.terms.unification import variables_of
 from casper.kb.text.directives import OP, Refused, declare, each_of
-from casper.kb.text.namespace import qualified
+from casper.kb.text.namespace import goal_of
 from casper.kb.text.parsing.conditions import Condition, ConditionParser
 from casper.kb.text.parsing.places import Places
 
@@ -99,8 +99,11 @@ def _cannot_stand(term: Term, start: int, parser: ConditionParser) -> NoReturn:
 
 
 def alternatives(condition: Condition, places: Places, parser: ConditionParser) -> list[list[Literal]]:
-    """A body in disjunctive normal form: alternatives, each a list of literals in the author's order."""
-    if condition.shape == "or":
+    """A body in disjunctive normal form: alternatives, each a list of literals in the author's order.
+
+    What is negated as a whole, and ``(C -> T ; E)``, stays one literal: `kb.program.control` takes it apart.
+    """
+    if condition.shape == "or" and all(part.shape != "then" for part in condition.parts):
         return [body for part in condition.parts for body in alternatives(part, places, parser)]
     if condition.shape == "and":
         parts = [alternatives(part, places, parser) for part in condition.parts]
@@ -111,18 +114,23 @@ def alternatives(condition: Condition, places: Places, parser: ConditionParser) 
 def _literal(condition: Condition, places: Places, parser: ConditionParser, negated: bool = False) -> Literal:
     if condition.shape == "not":
         return _literal(condition.parts[0], places, parser, not negated)
-    if condition.shape == "then":
-        sentence = "-> cannot stand here: say with \\+ and ; when each of the two is meant"
-        parser.refuse(condition.start, sentence)
     if condition.shape != "goal":
-        sentence = "only one condition can be negated at a time; give these a rule of their own and negate its head"
-        parser.refuse(condition.start, sentence)
+        _check_goals(condition, parser)
+        return Literal(predication(goal_of(condition.term())), negated, places.of(condition.start))
     return Literal(_goal(condition, parser), negated, places.of(condition.start))
+
+
+def _check_goals(condition: Condition, parser: ConditionParser) -> None:
+    """Refuse what cannot stand as a condition, wherever it does."""
+    if condition.shape == "goal":
+        _goal(condition, parser)
+    for part in condition.parts:
+        _check_goals(part, parser)
 
 
 def _goal(condition: Condition, parser: ConditionParser) -> Compound:
     """A condition's atom: a name, ``name(arguments)``, with a prefix or not, or a comparison."""
-    term = qualified(condition.goal)
+    term = goal_of(condition.goal)
     is_pair = isinstance(term, Compound) and term.indicator == (":", 2)
     is_qualified = term is not condition.goal and not is_pair
     is_comparison = isinstance(term, Compound) and term.arity == 2 and term.functor in COMPARISONS

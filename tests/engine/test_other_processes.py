@@ -30,7 +30,8 @@ WAYS_TO_COPY = pytest.mark.parametrize("copied", [sent, copy.deepcopy, copy.copy
 
 
 def rows_of(base):
-    return {i: set(base.rows(*i)) for i in INDICATORS}
+    stored = {i: base.stored(i) for i in INDICATORS}
+    return {i: (set(rows), set(rows.undefined or ())) for i, rows in stored.items()}
 
 
 @WAYS_TO_COPY

@@ -70,8 +70,11 @@ _VARIABLES = ("X", "Y", "Z")
 
 
 @st.composite
-def programs(draw, negation: bool = True) -> str:
-    """A stratified program's text: recursion of any shape among what is not above, everything range-restricted."""
+def programs(draw, negation: bool = True, circles: bool = False) -> str:
+    """A program's text: recursion of any shape among what is not above, everything range-restricted.
+
+    With ``circles`` negation may run in circles; without, all is stratified. Orders of what is no number are undefined.
+    """
     lines = [f":- dynamic({name}/{arity})." for name, arity in {**BASE, **DERIVED}.items()]
     for name, arity in BASE.items():
         rows = draw(st.lists(st.tuples(*[st.sampled_from(CONSTANTS)] * arity), max_size=4))
@@ -79,21 +82,24 @@ def programs(draw, negation: bool = True) -> str:
     strata = dict(zip(DERIVED, sorted(draw(st.lists(st.integers(1, 3), min_size=len(DERIVED), max_size=len(DERIVED))))))
     for name in DERIVED:
         for _ in range(draw(st.integers(0, 2))):
-            lines.append(draw(_rules(name, strata, negation)))
+            lines.append(draw(_rules(name, strata, negation, circles)))
     return "\n".join(lines)
 
 
 @st.composite
-def _rules(draw, name: str, strata: dict[str, int], negation: bool) -> str:
+def _rules(draw, name: str, strata: dict[str, int], negation: bool, circles: bool) -> str:
     reachable = [*BASE, *(other for other in DERIVED if strata[other] <= strata[name])]
-    below = [*BASE, *(other for other in DERIVED if strata[other] < strata[name])]
+    below = list(DERIVED) if circles else [*BASE, *(other for other in DERIVED if strata[other] < strata[name])]
     patterns = st.one_of(st.sampled_from(_VARIABLES), st.sampled_from([*CONSTANTS, "f(X)", "g(Y, Z)", "_"]))
     body = [_atom(draw, draw(st.sampled_from(reachable)), patterns) for _ in range(draw(st.integers(1, 3)))]
     known = [v for v in _VARIABLES if any(v in condition for condition in body)]
     values = st.sampled_from([*known, *CONSTANTS])
     if draw(st.booleans()):
-        operator = draw(st.sampled_from(["\\=", "=", "<", ">=", "==", "\\=="]))
+        operator = draw(st.sampled_from(["\\=", "=", "<", ">=", "==", "\\==", "=:="]))
+        if operator in ("<", ">=", "=:="):
+            values = st.sampled_from([*known, "1", "2"])
         body.append(f"{draw(values)} {operator} {draw(values)}")
+    values = st.sampled_from([*known, *CONSTANTS])
     if draw(st.booleans()):
         body.append(f"W = {draw(values)}")
         known.append("W")
@@ -135,36 +141,54 @@ def put(term, environment: dict):
     return Compound([put(part, environment) for part in term]) if isinstance(term, tuple) else term
 
 
-def test_holds(operator: str, left, right) -> bool:
-    """A comparison of ground terms."""
+def test_holds(operator: str, left, right) -> bool | None:
+    """A comparison of ground terms; None when it is undefined."""
     if operator in ("=", "=="):
         return left == right
     if operator in ("\\=", "\\=="):
         return left != right
-    numbers = isinstance(left, (int, float)) and isinstance(right, (int, float))
-    return numbers and {"<": left < right, ">": left > right, "=<": left <= right, ">=": left >= right}[operator]
+    if not (isinstance(left, (int, float)) and isinstance(right, (int, float))):
+        return None
+    return {"<": left < right, ">": left > right, "=<": left <= right, ">=": left >= right, "=:=": left == right}[operator]
 
 
 test_holds.__test__ = False  # not a test, for all its name
 
 
-def holds(literal: Literal, rows: set) -> bool:
-    """Whether an instantiated condition holds in a set of atoms; what is left open may be anything."""
+def holds(literal: Literal, rows: set, possible: set | None = None) -> bool | None:
+    """Whether an instantiated condition holds, where some atoms do and others may; what is left open may be anything.
+
+    None when it is undefined. Without ``possible`` no atom is.
+    """
+    possible = rows if possible is None else possible
     if literal.is_comparison:
-        return test_holds(*literal.atom) is not literal.negated
-    found = literal.atom in rows if is_ground(literal.atom) else any(match(literal.atom, r, {}) is not None for r in rows)
-    return found is not literal.negated
+        found = test_holds(*literal.atom)
+    else:
+        found = _stands(literal.atom, rows) or (None if _stands(literal.atom, possible) else False)
+    return found if found is None else found is not literal.negated
 
 
-def solutions(body, rows: set, environment: dict):
-    """Every way to satisfy the body: positive conditions first, then ``=``, then the tests."""
+def _stands(atom, rows: set) -> bool:
+    return atom in rows if is_ground(atom) else any(match(atom, r, {}) is not None for r in rows)
+
+
+def solutions(body, rows: set, environment: dict, possible: set | None = None):
+    """Every way to satisfy the body: positive conditions first, then ``=``, then the tests.
+
+    Positive conditions stand in ``rows``; a test must hold (with ``possible``: under a negation, of what may hold).
+    """
+    yield from (found for found, sure in _ways(body, rows, environment, rows, possible or rows) if sure)
+
+
+def _ways(body, rows: set, environment: dict, certain: set, possible: set):
+    """Ways to satisfy the body by rows, each with whether its tests hold for certain: none of them is false."""
     for at, literal in enumerate(body):
         rest = body[:at] + body[at + 1 :]
         if not literal.negated and not literal.is_comparison:
             for row in rows:
                 extended = match(put(literal.atom, environment), row, environment)
                 if extended is not None:
-                    yield from solutions(rest, rows, extended)
+                    yield from _ways(rest, rows, extended, certain, possible)
             return
     for at, literal in enumerate(body):
         if literal.atom[0] == "=" and not literal.negated:
@@ -173,28 +197,47 @@ def solutions(body, rows: set, environment: dict):
                 pattern, value = (right, left) if is_ground(left) else (left, right)
                 extended = match(pattern, value, environment)
                 if extended is not None:
-                    yield from solutions(body[:at] + body[at + 1 :], rows, extended)
+                    yield from _ways(body[:at] + body[at + 1 :], rows, extended, certain, possible)
                 return
-    if all(holds(Literal(put(x.atom, environment), x.negated), rows) for x in body):
-        yield environment
+    truths = [holds(Literal(put(x.atom, environment), x.negated), certain, possible) for x in body]
+    if False not in truths:
+        yield environment, None not in truths
 
 
-def model(clauses: list[Clause], strata) -> set:
-    """The atoms that hold: every clause tried on everything, again and again, stratum by stratum."""
+def model(clauses: list[Clause]) -> tuple[set, set]:
+    """The atoms that hold and those that may: the well-founded model of the whole program, by alternation."""
+    certain: set = set()
+    while True:
+        possible = _least(clauses, certain, None)
+        grown = _least(clauses, None, possible)
+        if grown == certain:
+            return certain, possible
+        certain = grown
+
+
+def _least(clauses: list[Clause], certain: set | None, possible: set | None) -> set:
+    """The least set that the clauses give: of what may hold, given what is certain; or of what is certain, given what may."""
     rows: set = set()
-    for stratum in strata:
-        own = [c for c in clauses if c.head.indicator in stratum]
-        while True:
-            new = {put(c.head, s) for c in own for s in solutions(list(c.body), rows, {})} - rows
-            if not new:
-                break
-            rows |= new
-    return rows
+    while True:
+        found = {
+            put(c.head, s)
+            for c in clauses
+            for s, sure in _ways(list(c.body), rows, {}, rows if certain is None else certain, possible or rows)
+            if sure or certain is not None
+        }
+        if found <= rows:
+            return rows
+        rows |= found
 
 
 def atoms_of(relations) -> set:
     """The rows of materialised relations, as atoms."""
     return {Compound((name, *row)) for (name, _), relation in relations.items() for row in relation}
+
+
+def undefined_of(relations) -> set:
+    """The undefined rows of materialised relations, as atoms."""
+    return {Compound((name, *row)) for (name, _), relation in relations.items() for row in relation.undefined or ()}
 
 
 def ground_terms(clauses: list[Clause]) -> list:
@@ -210,4 +253,4 @@ def statements_over(values, predicates=DERIVED):
             yield Compound((name, *row))
 
 
-__all__ = ["atoms_of", "ground_terms", "holds", "match", "model", "programs", "put", "solutions", "variables_of"]
+__all__ = ["atoms_of", "ground_terms", "holds", "match", "model", "programs", "put", "solutions", "undefined_of", "variables_of"]

@@ -246,6 +246,15 @@ changes = st.lists(
 )
 
 
+def test_what_is_undefined_stays_so_however_many_snapshots_are_taken():
+    base, kept = KnowledgeBase.from_text("n(a). small(X) :- n(X), X < 3."), []
+    for at in range(20):
+        kept.append(base.snapshot())
+        base.assert_(("n", at))
+    assert [each.truth("small(a)") for each in (*kept, base)] == ["undefined"] * 21
+    assert base.truth(("small", 2)) == "true" and kept[2].truth(("small", 2)) == "false"
+
+
 @given(programs(), changes, st.sampled_from([0, 1, 8]))
 def test_every_snapshot_keeps_the_state_it_was_taken_in(text, sequence, layers):
     before, model.MOST_LAYERS = model.MOST_LAYERS, layers
@@ -264,4 +273,5 @@ def test_every_snapshot_keeps_the_state_it_was_taken_in(text, sequence, layers):
 
 
 def states(base):
-    return {i: set(base.rows(*i)) for i in INDICATORS}
+    stored = {i: base.stored(i) for i in INDICATORS}
+    return {i: (set(rows), set(rows.undefined or ())) for i, rows in stored.items()}

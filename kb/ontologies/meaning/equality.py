@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterable, Iterator
 
 from casper.kb.ontologies.expressions import Kind
 from casper.kb.ontologies.vocabulary.scope import Vocabulary, literal
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.terms.terms import Compound, Term, Variable
 
@@ -124,4 +125,4 @@ def undefined(clauses: Iterable[Clause]) -> set[Indicator]:
     """Predicates that conditions need and no clause gives."""
     every = list(clauses)
     needed = {x.atom.indicator for clause in every for x in clause.body if not x.is_comparison}
-    return needed - {clause.head.indicator for clause in every}
+    return needed - {clause.head.indicator for clause in every} - BUILTINS

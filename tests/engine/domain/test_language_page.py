@@ -45,8 +45,8 @@ def test_every_relation_of_the_system_and_every_section_and_file_is_on_the_page(
 @pytest.mark.parametrize(
     "text",
     [
-        "p(X) :- nobody(X).", "p :- \\+ q. q :- \\+ p.", "q(a). p :- \\+ q(X).", "p :- \\+ (a, b).", "never(a).", "claim(x).",
-        "p :- q, !. q.", "q. p :- (q -> q ; q).", "q. p :- call(q).", ":- op(1201, xfx, foo).", "a = b.",
+        "p(X) :- nobody(X).", "q(1). p(X) :- q(Y), X is foo + Y.", "p(N) :- aggregate_all(count, p(_), N).", "q(a). p :- \\+ q(X).", "p :- \\+ (a, b).", "never(a).", "claim(x).",
+        "p :- q, !. q.", "q. p :- assertz(q).", ":- op(1201, xfx, foo).", "a = b.",
     ],
 )  # fmt: skip
 def test_what_the_page_says_is_refused_is_refused(text):

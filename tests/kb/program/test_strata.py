@@ -1,12 +1,13 @@
 """What needs what, worked out in one pass, against the plain definitions: repeat until nothing changes."""
 
+from itertools import pairwise
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from casper.kb.base import KnowledgeBase
-from casper.kb.errors import ProgramError
-from casper.kb.program.strata import circular, components, dependents, levels_of, needs
+from casper.kb.program.strata import circular, components, dependents, levels_of, needs, negative_circles
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.terms import Compound
 
@@ -30,18 +31,31 @@ def dependents_by_definition(table, roots):
         reached |= new
 
 
+def circles_by_definition(table):
+    """The groups of predicates that need one another, where one negates one of its group."""
+    above = {i: dependents_by_definition(table, {i}) for i in table}
+    group = {i: frozenset({i} | {j for j in table if j in above[i] and i in above[j]}) for i in table}
+    negations = [(i, x.needed) for i, clauses in table.items() for c in clauses for x in c.body if x.negated]
+    return {group[i] for i, needed in negations if needed in group[i] and needed in above[i] | {i} and i in above[needed]}
+
+
 def levels_by_definition(table):
-    """The least levels, or None when they grow without end."""
+    """The least levels that put negations above what they negate, and circles of negation apart from all else."""
+    circles = circles_by_definition(table)
+    circle_of = {i: circle for circle in circles for i in circle}
     levels = dict.fromkeys(table, 0)
-    for _ in range(len(table) + 1):
+    while True:
         before = dict(levels)
         for indicator, clauses in table.items():
-            for literal in (x for clause in clauses for x in clause.body):
-                if literal.atom.indicator in levels:
-                    levels[indicator] = max(levels[indicator], levels[literal.atom.indicator] + literal.negated)
+            group = circle_of.get(indicator, {indicator})
+            for literal in (x for clause in clauses for x in clause.body if x.needed in levels):
+                inside = indicator in circle_of and literal.needed in group
+                apart = not inside and (literal.negated or indicator in circle_of or literal.needed in circle_of)
+                levels[indicator] = max(levels[indicator], levels[literal.needed] + apart)
+            for other in group:
+                levels[indicator] = max(levels[indicator], levels[other])
         if levels == before:
             return levels
-    return None
 
 
 @given(tables, st.sets(st.sampled_from(NAMES + "x").map(lambda name: (name, 0)), max_size=2))
@@ -55,13 +69,21 @@ def test_what_is_circular_depends_on_itself(table):
 
 
 @given(tables)
-def test_levels_are_the_least_that_put_negations_above_what_they_negate(table):
-    expected = levels_by_definition(table)
-    if expected is None:
-        with pytest.raises(ProgramError, match=r"negation runs in a circle: (\w)/0 needs not .*\1/0; break it$"):
-            levels_of(table)
-    else:
-        assert levels_of(table) == expected
+def test_levels_are_the_least_that_put_negations_above_and_circles_apart(table):
+    assert levels_of(table) == levels_by_definition(table)
+
+
+@given(tables)
+def test_every_circle_of_negation_is_found_and_named_once(table):
+    circles = negative_circles(table)
+    assert {group for group, _, _ in circles} == circles_by_definition(table)
+    assert len({group for group, _, _ in circles}) == len(circles)
+    for group, literal, named in circles:
+        way = [name.removeprefix("not ") for name in named.split(" needs ")]
+        assert way[0] == way[-1] and way[1] == f"{literal.needed[0]}/0" and named.count("not ") == 1
+        assert {(name.removesuffix("/0"), 0) for name in way} <= group
+        for name, other in pairwise(way):
+            assert (other.removesuffix("/0"), 0) in set(needs(table[(name.removesuffix("/0"), 0)]))
 
 
 @given(st.dictionaries(st.integers(0, 7), st.lists(st.integers(0, 8), max_size=3), max_size=8))

@@ -246,7 +246,7 @@ SECRETS = {
     "no end": "p(hunter2",
     "no clause": "hunter2 : -1 :- p.\np :- 'hunter2': 1.\n",
     "a number": f"p({'1' * 5000}hunter2).",
-    "negated": "p :- \\+ (hunter2, b).",
+    "negated": "p :- \\+ (hunter2 + 1, b).",
     "a large file": "p(a).\n" * 5000 + "hunter2 hunter2.\n",
 }
 

@@ -1,0 +1,133 @@
+"""A recursive minimum or maximum as one fixpoint: one row for each key, and a better one takes its place.
+
+That is `:- table path(_, _, min).` as in SWI-Prolog. It means something only where better premises never make worse
+rows; so the rows that are left are derived once more from one another alone, which gives them their rounds. Where one
+of them has lost what it rests on, or where something cannot be evaluated, all of the stratum is undefined.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from casper.kb.bottom_up.join import Join
+from casper.kb.bottom_up.size import Room
+from casper.kb.bottom_up.steps import Emit
+from casper.kb.bottom_up.stratum import Stratum
+from casper.kb.errors import BudgetExceeded
+from casper.kb.program.declarations import Moded
+from casper.kb.program.program import Program
+from casper.kb.relations.relation import Relation, Row
+from casper.kb.relations.undefined import UndefinedRows, are_settled
+from casper.kb.terms.clauses import Clause, Indicator
+from casper.kb.terms.unknown import UNKNOWN
+
+
+def least_rows(
+    program: Program, stratum: frozenset[Indicator], relations: dict[Indicator, Relation], room: Room, round_: int
+) -> int:
+    """Give a stratum of predicates with a moded argument its rows; the last round's number.
+
+    Raises:
+        BudgetExceeded: it improves without end.
+    """
+    search = _Search(program, stratum, relations, room)
+    search.run(0)
+    final = {i: Relation(*i, search.best[i].values()) for i in stratum}
+    needed = {x.needed for rule in search.rules for x in rule.body if x.needed is not None and x.needed not in stratum}
+    for indicator in stratum:
+        relations[indicator] = Relation(*indicator, (r for r in program.given[indicator] if r in final[indicator]))
+    last = Within(program, stratum, relations, Room(room.most_rows, relations), final).run(round_)
+    complete = all(len(relations[i]) == len(final[i]) for i in stratum)
+    if search.failures or not complete or not are_settled(relations, needed):
+        for indicator in stratum:
+            relations[indicator] = Relation(*indicator)
+            relations[indicator].undefined = UndefinedRows(*indicator, [(UNKNOWN,) * indicator[1]])
+    return last
+
+
+class Within(Stratum):
+    """The fixpoint of some predicates within rows that are known already: it finds out in which round each comes."""
+
+    def __init__(
+        self,
+        program: Program,
+        stratum: frozenset[Indicator],
+        relations: Mapping[Indicator, Relation],
+        room: Room,
+        within: Mapping[Indicator, Relation],
+        absent: Mapping[Indicator, Relation] | None = None,
+    ) -> None:
+        super().__init__(program, stratum, relations, room, absent)
+        self.within = within
+
+    def _emitter(self, rule: Clause) -> Emit:
+        emit, within = super()._emitter(rule), self.within[rule.head.indicator]
+
+        def emit_known(row: Row) -> None:
+            if row in within:
+                emit(row)
+
+        return emit_known
+
+
+class _Search(Stratum):
+    """Semi-naive evaluation in which a better row replaces the one of the same key."""
+
+    def __init__(
+        self, program: Program, stratum: frozenset[Indicator], relations: Mapping[Indicator, Relation], room: Room
+    ) -> None:
+        super().__init__(program, stratum, {**relations, **{i: Relation(*i) for i in stratum}}, room)
+        self.modes: dict[Indicator, Moded] = {i: program.least[i] for i in stratum}
+        self.best: dict[Indicator, dict[Row, Row]] = {i: {} for i in stratum}
+        self.better: dict[Indicator, dict[Row, Row]] = {}
+        for indicator in stratum:
+            emit = self._keeper(indicator)
+            for row in program.given[indicator]:
+                emit(row)
+        self._take(0)
+
+    def run(self, round_: int) -> int:
+        """Evaluate until nothing gets better; the number of rounds."""
+        for rule in self.rules:
+            if self._may_fire(rule):
+                self._run(Join(rule), rule, ())
+        recursive = self._recursive()
+        while delta := self._take(round_ := round_ + 1):
+            for each in (each for indicator in delta for each in recursive.get(indicator, ())):
+                self._run(each.join, each.rule, delta[each.rule.body[each.at].atom.indicator])
+            if round_ > sum(map(len, self.best.values())) + 1:  # a row would rest on one of the same key
+                name, arity = min(self.stratum)
+                raise BudgetExceeded(f"the rows of {name}/{arity} improve without end: the answer is unknown")
+        return round_
+
+    def _emitter(self, rule: Clause) -> Emit:
+        return self._keeper(rule.head.indicator)
+
+    def _keeper(self, indicator: Indicator) -> Emit:
+        at, is_better = self.modes[indicator].at, self.modes[indicator].is_better
+        best, better = self.best[indicator], self.better.setdefault(indicator, {})
+
+        def emit(row: Row) -> None:
+            key = row[:at] + row[at + 1 :]
+            old = better.get(key) or best.get(key)
+            if old is None or is_better(row[at], old[at]):
+                better[key] = row
+
+        return emit
+
+    def _take(self, round_: int) -> dict[Indicator, list[Row]]:
+        found, self.better = self.better, {}
+        delta: dict[Indicator, list[Row]] = {}
+        for indicator, rows in found.items():
+            relation, best = self.relations[indicator], self.best[indicator]
+            for key, row in rows.items():
+                old = best.get(key)
+                if old is None:
+                    self.room.take(1)
+                else:
+                    relation.remove(old)
+                best[key] = row
+                relation.add(row, round_)
+            if rows:
+                delta[indicator] = list(rows.values())
+        return delta

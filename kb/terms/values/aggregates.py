@@ -1,0 +1,56 @@
+"""What all answers of a goal amount to: count, sum, min, max, bag and set, as in SWI's ``aggregate_all/3``."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from casper.kb.terms.terms import Compound, Term, make_list
+from casper.kb.terms.unification import Bindings, substitute
+from casper.kb.terms.values.arithmetic import Number, evaluate
+from casper.kb.terms.values.ordering import standard_key
+
+WAYS = (("sum", 1), ("min", 1), ("max", 1), ("min", 2), ("max", 2), ("bag", 1), ("set", 1))
+
+
+def is_way(what: Term) -> bool:
+    """Whether a term says how answers are put together: ``count``, ``sum(E)`` …"""
+    return what == "count" or (isinstance(what, Compound) and what.indicator in WAYS)
+
+
+def aggregate(what: Term, answers: Sequence[Bindings]) -> Term | None:
+    """What the answers amount to; None for the least or greatest of none.
+
+    Bags and sets come in the standard order of terms; of equal extremes the first witness in that order counts.
+
+    Raises:
+        EvaluationFailed: an expression of some answer has no value.
+    """
+    if what == "count":
+        return len(answers)
+    assert isinstance(what, Compound)
+    if what.functor == "sum":
+        return _sum([evaluate(substitute(what[1], each)) for each in answers])
+    if what.functor in ("bag", "set"):
+        items = sorted((substitute(what[1], each) for each in answers), key=standard_key)
+        return make_list(items if what.functor == "bag" else dict.fromkeys(items))
+    return _extreme(what, answers)
+
+
+def _sum(values: Sequence[Number]) -> Number:
+    """The exact sum where that is an integer; floats are added in order of size: any order of answers agrees."""
+    total: Number = 0
+    for value in sorted(values):
+        total = evaluate(Compound(("+", total, value)))
+    return total
+
+
+def _extreme(what: Compound, answers: Sequence[Bindings]) -> Term | None:
+    found = [(evaluate(substitute(what[1], each)), substitute(what[-1], each)) for each in answers]
+    if not found:
+        return None
+    choose = min if what.functor == "min" else max
+    best = choose(value for value, _ in found)
+    if what.arity == 1:
+        return best
+    witness = min((witness for value, witness in found if value == best), key=standard_key)
+    return Compound((what.functor, best, witness))

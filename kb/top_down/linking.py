@@ -1,0 +1,116 @@
+"""Which predicate is answered how: looked up, resolved with its clauses, tabled, or computed by a built-in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from functools import cached_property, partial
+from typing import Any, TypeAlias
+
+from casper.kb.errors import ProgramError
+from casper.kb.program.refusals import undefined_sentence
+from casper.kb.relations.relation import Relation
+from casper.kb.terms.builtins import BUILTINS
+from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
+from casper.kb.terms.terms import Compound
+from casper.kb.terms.unification import variables_of
+from casper.kb.top_down.builtins import COMPUTING, CONTROL, library
+from casper.kb.top_down.compiled.code import CompiledClause, NotCarried, Pattern, Procedure
+from casper.kb.top_down.planning import SizeOf, ordered
+from casper.kb.top_down.recursion import tabled_of
+
+Computed: TypeAlias = Callable[[Compound], Iterator[Compound]]
+RESOLVED, TABLED, STORED, BUILT_IN, ASKED, CONTROLLED = range(6)
+
+
+class Link:
+    """How a predicate is answered, and what by."""
+
+    __slots__ = ("how", "what")
+
+    def __init__(self, how: int, what: Any) -> None:
+        self.how, self.what = how, what
+
+
+class Code:
+    """The clauses of a program, compiled when they are first needed.
+
+    Args:
+        clauses: of every predicate that is resolved.
+        finite: predicates whose rows could all be listed: the order of their conditions is the planner's.
+        size_of: how many rows a predicate has, or may have.
+    """
+
+    def __init__(
+        self,
+        clauses: Mapping[Indicator, Sequence[Clause]],
+        finite: Collection[Indicator] = (),
+        size_of: SizeOf = lambda _: 1,
+    ) -> None:
+        self.clauses, self.finite, self.size_of = clauses, finite, size_of
+        self._procedures: dict[Indicator, Procedure] = {}
+
+    @cached_property
+    def tabled(self) -> frozenset[Indicator]:
+        """The predicates whose calls are tabled: all that recur without building terms."""
+        return tabled_of(self.clauses)
+
+    def procedure(self, indicator: Indicator) -> Procedure:
+        """The compiled clauses of a predicate."""
+        found = self._procedures.get(indicator)
+        if found is None:
+            clauses = [CompiledClause(clause) for clause in self.clauses[indicator]]
+            found = self._procedures[indicator] = Procedure(clauses, indicator[1])
+            if indicator in self.finite and any(len(clause.clause.body) > 1 for clause in clauses):
+                found.fitted = partial(self._fitted, indicator)
+        return found
+
+    def _fitted(self, indicator: Indicator, pattern: Pattern) -> Procedure:
+        clauses = self.clauses[indicator]
+        return Procedure([CompiledClause(c, self.body(c, pattern)) for c in clauses], indicator[1])
+
+    def query(self, body: Sequence[Literal]) -> list[Literal]:
+        """A question's conditions in the order in which they are taken."""
+        if all(x.is_comparison or x.needed in self.finite for x in body):
+            return ordered(body, (), self.size_of)
+        return list(body)
+
+    def body(self, clause: Clause, pattern: Pattern) -> list[Literal]:
+        """A clause's conditions in the order in which they are taken, when those arguments are known."""
+        if clause.head.indicator not in self.finite:
+            return list(clause.body)
+        known = variables_of(*(arg for arg, is_known in zip(clause.head.args, pattern) if is_known))
+        return ordered(clause.body, known, self.size_of)
+
+
+class Links(dict[Indicator, Link]):
+    """The link of every predicate a search comes to; a program's own definition wins over a built-in."""
+
+    def __init__(
+        self, relations: Mapping[Indicator, Relation], code: Code, computed: Mapping[Indicator, Computed]
+    ) -> None:
+        super().__init__()
+        self.relations, self.code, self.computed = relations, code, computed
+
+    def __missing__(self, indicator: Indicator) -> Link:
+        found = self[indicator] = self._found(indicator)
+        return found
+
+    def _found(self, indicator: Indicator) -> Link:
+        relation = self.relations.get(indicator)
+        if relation is not None:
+            if relation.undefined is not None:
+                raise NotCarried("undefined rows")
+            return Link(STORED, relation)
+        if indicator in self.computed:
+            return Link(ASKED, self.computed[indicator])
+        if indicator in self.code.clauses:
+            return Link(TABLED if indicator in self.code.tabled else RESOLVED, self.code.procedure(indicator))
+        if indicator in CONTROL:
+            return Link(CONTROLLED, CONTROL[indicator])
+        if indicator in COMPUTING:
+            return Link(BUILT_IN, COMPUTING[indicator])
+        if indicator in library():
+            return Link(RESOLVED, library()[indicator])
+        if indicator in SYSTEM:
+            return Link(RESOLVED, Procedure((), indicator[1]))
+        raise ProgramError(undefined_sentence(indicator, (*self.code.clauses, *BUILTINS)))

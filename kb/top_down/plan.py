@@ -1,0 +1,121 @@
+"""How a question will be answered: for each condition its turn, the index it is looked up by, and the method."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from casper.kb.terms.clauses import Indicator, Literal
+from casper.kb.terms.terms import Variable
+from casper.kb.terms.unification import variables_of
+from casper.kb.text.writer import literal_text
+from casper.kb.top_down.compiled.code import NotCarried, Procedure
+from casper.kb.top_down.linking import ASKED, BUILT_IN, CONTROLLED, STORED, TABLED, Code, Link, Links
+from casper.kb.top_down.planning import binds, is_bound
+
+Asked: TypeAlias = tuple[Indicator, tuple[bool, ...]]  # a predicate, and which of its arguments are known
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One condition of a question, or of a rule behind it.
+
+    Attributes:
+        condition: as its author wrote it.
+        method: how it is answered, in words.
+        index: the columns that it is looked up by, from 1 on; empty where none is known, or nothing is looked up.
+        depth: 0 for the question's own conditions, 1 for those of the rules behind them, and so on.
+    """
+
+    condition: str
+    method: str
+    index: tuple[int, ...] = ()
+    depth: int = 0
+
+    def __str__(self) -> str:
+        return f"{'  ' * self.depth}{self.condition}   [{self.method}]"
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """The steps of every alternative, in the order in which they are taken; ``str()`` is one a line."""
+
+    steps: tuple[Step, ...]
+
+    def __str__(self) -> str:
+        return "\n".join(map(str, self.steps))
+
+
+def plan_of(bodies: Iterable[Sequence[Literal]], links: Links) -> Plan:
+    """The plan of a question's alternatives."""
+    told: set[Asked] = set()
+    return Plan(tuple(step for body in bodies for step in _body(body, set(), links, 0, told)))
+
+
+def _body(
+    body: Sequence[Literal], known: set[Variable], links: Links, depth: int, told: set[Asked]
+) -> Iterator[Step]:
+    bound = set(known)
+    for literal in body:
+        pattern = tuple(is_bound(arg, bound) for arg in literal.atom.args)
+        if literal.is_comparison:
+            yield Step(literal_text(literal), "compared, once its variables are known", (), depth)
+        elif literal.is_aggregate:
+            yield Step(literal_text(literal), "worked out of all answers, by plain resolution", (), depth)
+        else:
+            try:
+                link = links[literal.atom.indicator]
+            except NotCarried as reason:
+                yield Step(literal_text(literal), f"plain resolution, because of {reason}", (), depth)
+                bound |= binds(literal, bound)
+                continue
+            method, index = _method(link, literal, pattern, links.code)
+            method = f"nothing proves it: {method}" if literal.negated else method
+            yield Step(literal_text(literal), method, index, depth)
+            if isinstance(link.what, Procedure) and (literal.atom.indicator, pattern) not in told:
+                told.add((literal.atom.indicator, pattern))
+                yield from _rules(literal.atom.indicator, pattern, links, depth + 1, told)
+        bound |= binds(literal, bound)
+
+
+def _rules(
+    indicator: Indicator,
+    pattern: tuple[bool, ...],
+    links: Links,
+    depth: int,
+    told: set[Asked],
+) -> Iterator[Step]:
+    """The conditions of the rules of a predicate, for what is known of its arguments."""
+    for clause in links.code.clauses.get(indicator, ()):
+        known = set(variables_of(*(arg for arg, is_known in zip(clause.head.args, pattern) if is_known)))
+        yield from _body(links.code.body(clause, pattern), known, links, depth, told)
+
+
+def _method(link: Link, literal: Literal, pattern: tuple[bool, ...], code: Code) -> tuple[str, tuple[int, ...]]:
+    """How a predicate is answered, in words, and the columns it is looked up by."""
+    name, arity = literal.atom.indicator
+    shown = f"{name.rpartition(': ')[2]}/{arity}"
+    if link.how == STORED:
+        return _look_up(shown, pattern, len(link.what))
+    if link.how == BUILT_IN or link.how == CONTROLLED:
+        return "built-in", ()
+    if link.how == ASKED:
+        return "computed from statements and constraints", ()
+    if (name, arity) not in code.clauses:
+        return "built-in, by clauses", ()
+    found = len(link.what.all)
+    known = ", by its first argument" if pattern and pattern[0] else ""
+    if link.how == TABLED:
+        return f"{found} clauses of {shown}{known}, each call worked out once (tabled)", ()
+    return f"{found} clauses of {shown}{known}", ()
+
+
+def _look_up(shown: str, pattern: tuple[bool, ...], rows: int) -> tuple[str, tuple[int, ...]]:
+    index = tuple(column for column, is_known in enumerate(pattern, 1) if is_known)
+    if len(index) == len(pattern):
+        return f"looked up among the {rows:,} rows of {shown}", index
+    if not index:
+        return f"every one of the {rows:,} rows of {shown}", index
+    columns = " and ".join(map(str, index))
+    return f"index on column {columns} of the {rows:,} rows of {shown}", index
