@@ -1,7 +1,6 @@
 """Asked, not listed: what one bound question costs on a large base, and lists as a program works on them.
 
-Run ``python -m benchmarks.logic.demand`` from the project's root: one process, a line a figure, SWI-Prolog's answers
-compared where it is installed.
+Run ``python -m benchmarks.logic.demand`` from the project's root: one process, a line a figure.
 """
 
 import gc

@@ -7,7 +7,7 @@ import pytest
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import CasperError
-from casper.kb.terms.terms import Compound
+from casper.kb.terms.terms import Compound, make_list
 from casper.kb.text import sources
 from casper.kb.text.namespace import prefixed
 from casper.kb.text.reader import read_query, read_statement, read_text
@@ -122,6 +122,15 @@ def test_a_prefix_in_a_statement_is_a_part_of_the_name():
     assert read_statement("valid(home:eat(tom, X))")[1].indicator == ("home:eat", 2)
     ((literal,),) = read_query("\\+ home:rain")
     assert (literal.atom, literal.negated) == (Compound(("home:rain",)), True)
+
+
+def test_a_built_in_keeps_its_name_unless_the_text_defines_it_and_the_goals_in_it_bear_the_prefix():
+    text = """n(1). n(2). last(a, b). one(X) :- member(X, [1, 3]), n(X). z(X) :- last(X, b). all :- maplist(n, [1, 2]).
+        small(X) :- call(n, X), call(<, X, 2). large(L) :- findall(X, (n(X), X > 1), L)."""
+    base = KnowledgeBase(list(prefixed(read_text(text), "k")))
+    assert base.ask("k:all")
+    answers = {"one": 1, "z": "a", "small": 1, "large": make_list([2])}
+    assert {name: [a["X"] for a in base.query(f"k:{name}(X)")] for name in answers} == {n: [x] for n, x in answers.items()}
 
 
 def test_a_pair_in_the_data_stays_a_pair():
