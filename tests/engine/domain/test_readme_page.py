@@ -14,4 +14,4 @@ def test_what_python_prints_is_what_the_page_shows():
     session = doctest.DocTestParser().get_doctest(page, shown, "README.md", "README.md", 0)
     told: list[str] = []
     assert doctest.DocTestRunner().run(session, out=told.append).failed == 0, "".join(told)
-    assert len(session.examples) == 9
+    assert len(session.examples) == 10
