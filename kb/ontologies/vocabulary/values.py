@@ -12,7 +12,6 @@ from casper.kb.ontologies.vocabulary.names import readable_name
 from casper.kb.ontologies.vocabulary.refusals import Beyond
 from casper.kb.terms.terms import Compound, Term
 
-LARGEST = 10**18  # beyond it the language does not compute
 INTEGERS: Mapping[str, tuple[int | None, int | None]] = {  # with the least and the greatest value
     "integer": (None, None),
     "nonNegativeInteger": (0, None),

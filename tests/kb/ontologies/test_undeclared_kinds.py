@@ -33,6 +33,7 @@ def restriction(rest):
         ":ann :age 18 .",
         ":years rdfs:range xsd:integer . :age rdfs:subPropertyOf :years .",
         ":years rdfs:range xsd:integer . :years owl:equivalentProperty :age .",
+        ":age rdfs:subPropertyOf :b . :b rdfs:subPropertyOf :c . :c rdfs:range xsd:integer .",
     ],
 )
 def test_a_property_has_values_when_it_is_used_with_a_value_or_a_datatype(text):
@@ -76,3 +77,27 @@ def test_an_ontology_that_states_nothing_is_told(text, suffix):
 @pytest.mark.parametrize("text", [":Dog a owl:Class .", ":rex a :Dog ."])
 def test_a_declaration_or_a_fact_is_something(text):
     assert turtle(text).findings == []
+
+
+@pytest.mark.parametrize("expression", ["owl:onProperty :has ; owl:allValuesFrom :Dog", "owl:unionOf ( :Dog )"])
+def test_a_type_of_an_expression_that_owl_has_no_meaning_for_is_told(expression):
+    told = turtle(f":Cat rdfs:subClassOf [ a :Odd ; {expression} ] .").findings
+    assert [f.message.endswith("is no individual and no value") for f in told] == [True]
+    assert "Type Odd" in told[0].message
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        "a owl:Restriction ; owl:onProperty :has ; owl:allValuesFrom :Dog",
+        "a owl:Class ; owl:complementOf :Dog",
+        "a owl:Class ; owl:intersectionOf ( :Dog :Pet )",
+        "a owl:Restriction ; owl:onProperty [ a owl:ObjectProperty ; owl:inverseOf :has ] ; owl:allValuesFrom :Dog",
+        "a owl:Restriction ; owl:onProperty :age ; owl:allValuesFrom [ a rdfs:Datatype ; owl:onDatatype xsd:decimal ; "
+        "owl:withRestrictions ( [ xsd:maxInclusive 30 ] ) ]",
+        "a owl:Restriction ; owl:onProperty :age ; owl:allValuesFrom [ a owl:DataRange ; owl:oneOf ( 1 2 ) ]",
+    ],
+)
+def test_the_types_that_owl_gives_to_expressions_are_no_facts(expression):
+    found = turtle(f":Cat rdfs:subClassOf [ {expression} ] .")
+    assert found.findings == [] and "% Facts" not in found.files["ontology.pl"]
