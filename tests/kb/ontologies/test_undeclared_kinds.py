@@ -101,3 +101,21 @@ def test_a_type_of_an_expression_that_owl_has_no_meaning_for_is_told(expression)
 def test_the_types_that_owl_gives_to_expressions_are_no_facts(expression):
     found = turtle(f":Cat rdfs:subClassOf [ {expression} ] .")
     assert found.findings == [] and "% Facts" not in found.files["ontology.pl"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ":A rdfs:subClassOf _:x . _:x owl:complementOf _:x .",
+        ":A rdfs:subClassOf _:x . _:x owl:complementOf _:y . _:y owl:unionOf ( :B _:x ) .",
+    ],
+)
+def test_an_expression_that_contains_itself_is_told_and_the_rest_is_read(text):
+    found = turtle(f"{text} :rex a :Dog .")
+    assert "SubClassOf: an expression contains itself; nothing was made of it" in [f.message for f in found.findings]
+    assert found.knowledge_base().ask("dog(rex)")
+
+
+def test_an_expression_may_stand_at_two_places():
+    found = turtle(":A rdfs:subClassOf _:x . :B rdfs:subClassOf _:x . _:x owl:intersectionOf ( :Dog _:y _:y ) . _:y owl:complementOf :Cat .")
+    assert found.findings == []
