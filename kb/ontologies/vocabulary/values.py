@@ -81,9 +81,7 @@ def _number(value: Value) -> int | float:
 
 def _fraction(value: Value, spelt: str) -> float:
     try:
-        exact = Decimal(spelt)
-        if spelt != spelt.strip() or "_" in spelt:
-            raise InvalidOperation
+        exact = Decimal(spelt if spelt.isascii() and "_" not in spelt else "")  # Python spells more than XML
     except InvalidOperation:
         raise _misspelt(value) from None
     if not exact.is_finite():
