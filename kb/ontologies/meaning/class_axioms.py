@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from itertools import combinations
 
@@ -53,12 +54,20 @@ def disjoint_classes(scope: Scope, *concepts: Part) -> Iterator[Said]:
                 yield from (never(scope, (*body, *more)) for more in conditions(other, thing, scope))
         return
     kind, group = "kind_of", scope.vocabulary.group(concepts)
-    for number, concept in enumerate(concepts, 1):
-        head = Compound((kind, thing, group, cited(concept) if isinstance(concept, Iri) else number))
+    for concept, name in zip(concepts, _told_apart(concepts, scope)):
+        head = Compound((kind, thing, group, name))
         yield from (Clause(head, body) for body in conditions(concept, thing, scope))
     first, second = scope.fresh(), scope.fresh()
     kinds = (literal(kind, thing, group, first), literal(kind, thing, group, second))
     yield never(scope, (*kinds, literal("\\=", first, second)))
+
+
+def _told_apart(concepts: tuple[Part, ...], scope: Scope) -> Iterator[str | int]:
+    """A name or a number for each, which no other has: also where one stands twice, since then nothing is one."""
+    times = Counter(concepts)
+    for number, concept in enumerate(concepts, 1):
+        iri = concept.text if isinstance(concept, Iri) and times[concept] == 1 else ""
+        yield scope.vocabulary.names.get(iri, number)
 
 
 def disjoint_union(scope: Scope, whole: Part, *parts: Part) -> Iterator[Said]:

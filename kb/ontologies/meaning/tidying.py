@@ -13,6 +13,7 @@ from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.comparison import compare
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify, variables_of
+from casper.kb.terms.values.arithmetic import EvaluationFailed
 
 
 def tidied(clause: Clause, data: Collection[Variable] = (), *, rename: bool = False) -> Clause | None:
@@ -73,9 +74,23 @@ def _decided(condition: Literal) -> bool | None:
     if not condition.is_comparison:
         return None
     if is_ground(condition.atom):
-        return compare(condition, {}) is not None
+        return _holds(condition)
     operator, left, right = condition.atom
     return False if operator == "\\=" and left == right and not condition.negated else None
+
+
+def _holds(condition: Literal) -> bool:
+    """Whether a comparison of constants does. One that is no number is in no range of numbers, and that is certain.
+
+    Raises:
+        Beyond: it computes what has no value.
+    """
+    try:
+        return compare(condition, {}) is not None
+    except EvaluationFailed as mistake:
+        if condition.atom[0] == "is":
+            raise Beyond(f"{mistake}; mend the rule") from None
+        return condition.negated
 
 
 def _bound(clause: Clause, data: Collection[Variable]) -> Clause:

@@ -148,8 +148,9 @@ class _Reader:
         return self._expression(item) if isinstance(item, Node) else item
 
     def _expression(self, node: Node) -> Part:
-        if node.name == "Variable" and len(node.items) == 1 and isinstance(node.items[0], Iri):
-            return Unknown(variable_name(node.items[0].text))
+        match node:
+            case Node("Variable", (Iri(iri),)):
+                return Unknown(variable_name(iri))
         name = plain_name(node.name)
         if name == "HasKey":
             return self._key(node)
@@ -170,13 +171,13 @@ class _Reader:
     def _key(self, node: Node) -> Expression:
         """``HasKey(C (object properties) (data properties))``; in XML the properties say themselves what they are."""
         args: list[Part] = []
-        groups = 0
+        kind = "Object"
         for item in node.items:
             if isinstance(item, Node) and not item.name:
                 members = [self.part(member) for member in item.items]
-                self._note("Data" if groups else "Object", members)
+                self._note(kind, members)
                 args += members
-                groups += 1
+                kind = "Data"
             elif not _is_annotation(item):
                 args.append(self.part(item))
         return Expression("HasKey", tuple(args))

@@ -64,19 +64,15 @@ class ExpressionReader:
             self._under_way.discard(node)
 
     def _expression(self, node: Anonymous) -> Expression | None:
-        has, values = self._triples.has, self._triples.values
+        has = self._triples.has
         if has(node, f"{OWL}onProperty"):
-            values(node, _TYPE)
             return self._restriction(node)
         if has(node, f"{OWL}inverseOf"):
-            values(node, _TYPE)
             return Expression("InverseOf", (self.part(self._triples.value(node, f"{OWL}inverseOf")),))
         if has(node, f"{OWL}onDatatype"):
-            values(node, _TYPE)
             return self._datatype(node)
         for key in DEFINING:
             if has(node, OWL + key):
-                values(node, _TYPE)
                 return self.defined(node, key)
         return None
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from casper.kb.ontologies.citing import cited
 from casper.kb.ontologies.expressions import Anonymous, Axiom, Expression, Ontology, Part, parts_of
 
 _MOST_ROUNDS = 10
@@ -36,7 +35,7 @@ def _refined(about: Mapping[str, list[Expression]], colours: Mapping[str, int]) 
     """The colour of each by what is said of it, with the colours so far in the place of labels."""
 
     def told(own: str, expression: Expression) -> str:
-        return cited(_renamed(expression, lambda other: "" if other == own else str(colours[other])))
+        return repr(_renamed(expression, lambda other: "" if other == own else str(colours[other])))
 
     keys = {label: (colours[label], *sorted(told(label, x) for x in said)) for label, said in about.items()}
     numbers = {key: number for number, key in enumerate(sorted(set(keys.values())))}

@@ -12,7 +12,6 @@ from casper.kb.ontologies.vocabulary.names import readable_name
 from casper.kb.ontologies.vocabulary.refusals import Beyond
 from casper.kb.terms.terms import Compound, Term
 
-LARGEST = 10**18  # beyond it the language does not compute
 INTEGERS: Mapping[str, tuple[int | None, int | None]] = {  # with the least and the greatest value
     "integer": (None, None),
     "nonNegativeInteger": (0, None),
@@ -82,9 +81,7 @@ def _number(value: Value) -> int | float:
 
 def _fraction(value: Value, spelt: str) -> float:
     try:
-        exact = Decimal(spelt)
-        if spelt != spelt.strip() or "_" in spelt:
-            raise InvalidOperation
+        exact = Decimal(spelt if spelt.isascii() and "_" not in spelt else "")  # Python spells more than XML
     except InvalidOperation:
         raise _misspelt(value) from None
     if not exact.is_finite():
