@@ -136,12 +136,6 @@ def read_rules(reader: GraphReader) -> None:
         except Misread as mistake:
             named = label or "a SWRL rule"
             reader.ontology.puzzles.append((reader.place, f"{named}: {mistake}; nothing was made of it"))
-        for predicate in (*_SILENT, *_annotations(reader)):
-            reader.triples.values(node, predicate)
-
-
-def _annotations(reader: GraphReader) -> list[str]:
-    return [iri for iri, kinds in reader.ontology.kinds.items() if kinds == {Kind.ANNOTATION}]
 
 
 def read_labels(reader: GraphReader) -> None:

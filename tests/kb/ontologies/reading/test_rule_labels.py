@@ -22,6 +22,7 @@ def cites(found):
         ('[] a swrl:Imp ; rdfs:label "dogs are pets" ; ', "dogs are pets: "),
         ('[] a swrl:Imp ; rdfs:label "one", "two" ; ', "one: "),
         ('[] a swrl:Imp ; rdfs:comment "a comment" ; ', ""),
+        (':author a owl:AnnotationProperty . [] a swrl:Imp ; :author "eve" ; owl:versionInfo "2" ; ', ""),
         (
             '[] a owl:Axiom ; owl:annotatedSource :r ; owl:annotatedProperty <http://www.w3.org/1999/02/22-rdf-syntax-ns#type> ; '
             'owl:annotatedTarget swrl:Imp ; rdfs:label "annotated" . :r a swrl:Imp ; ',
