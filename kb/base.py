@@ -365,10 +365,11 @@ class KnowledgeBase(ClauseStore):
         if relation is not None and atom.args in relation:  # ground, so only constraints can object
             violations = tuple(self._violations(atom, history))
             return Refusal(atom, (), violations, provable=True) if violations else None
-        provable = next(self.solver(history=history).solve([Literal(atom)]), None)
+        is_listed = relation is not None and relation.undefined is None and is_ground(atom)  # then it is no row: false
+        provable = None if is_listed else next(self.solver(history=history).solve([Literal(atom)]), None)
         if provable is None:
             tried = tuple(attempts(atom, self._model.program.clauses[atom.indicator], self.solver(history=history)))
-            doubt = doubt_of(atom, self.solver(history=history))
+            doubt = None if is_listed else doubt_of(atom, self.solver(history=history))
             violations = tuple(self._violations(atom, history) if is_ground(atom) else ())
             return Refusal(atom, tried, violations, doubt="" if doubt is None else doubt.sentence)
         try:

@@ -104,7 +104,7 @@ def _of_type(datatype: str, value: Term, scope: Scope, on: Part | None) -> Body:
         return _bounds(datatype, value)
     if is_number(datatype):
         if datatype.removeprefix(XSD) not in INTEGERS:
-            return (literal("=<", value, value),)  # what is no number never compares
+            return (literal("=<", value, value),)  # of what is no number this is undefined, never a yes
         return (*_integer_test(value, scope, on), *_bounds(datatype, value))
     if is_string(datatype):
         if holds_and_fails("atom(dog)", "atom(7)"):
