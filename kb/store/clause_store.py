@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
 from functools import lru_cache, wraps
 from threading import RLock
 from typing import Any, Concatenate, ParamSpec, Self, TypeAlias, TypeVar
@@ -357,7 +356,7 @@ class ClauseStore:
     @of_one_moment
     def solver(self, budget: int = DEFAULT_BUDGET, history: History = NO_HISTORY) -> Answering:
         """A fresh search over everything that holds now, after what happened earlier."""
-        return replace(self._model.search(history, budget), computed=self._computed)
+        return self._model.search(history, budget, self._computed)
 
     @property
     def _computed(self) -> Mapping[Indicator, Computed]:

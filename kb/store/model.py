@@ -21,6 +21,7 @@ from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.terms.origins import Origin
 from casper.kb.top_down.answering import Answering
 from casper.kb.top_down.linking import Code, Computed, Links
+from casper.kb.top_down.lookups import Lookups
 from casper.kb.top_down.solve import DEFAULT_BUDGET
 
 MOST_EXACT = 50_000  # rows up to which proofs are of least height whatever happened
@@ -44,6 +45,7 @@ class Model:
     round: int = 1 << 40  # of the next change; later than any round of a fixpoint
     layers: int = 0  # how many models this one is laid over
     lock: RLock = field(default_factory=RLock)  # held while rows are listed: rows and code change at once
+    _lookups: Lookups | None = None  # of the rows that are at hand
 
     @classmethod
     def of(
@@ -97,6 +99,9 @@ class Model:
 
     def _at_hand(self) -> tuple[MutableMapping[Indicator, Relation], Code, bool]:
         """The rows that are there now, with the clauses that go with them, and whether that is all."""
+        listed = self.listed
+        if listed is not None:
+            return listed, self.code, True
         with self.lock:
             if self.listed is None:
                 return self.facts, self.demand_code, False
@@ -108,17 +113,31 @@ class Model:
         relations, code, _ = self._at_hand()
         return Links(relations, code, self.computed)
 
-    def search(self, history: History = (), budget: int = DEFAULT_BUDGET) -> Answering:
-        """A fresh search over what is at hand."""
+    def search(
+        self,
+        history: History = (),
+        budget: int = DEFAULT_BUDGET,
+        computed: Mapping[Indicator, Computed] | None = None,
+    ) -> Answering:
+        """A fresh search over what is at hand; ``computed`` are the computed predicates, where they are not its own."""
         relations, code, is_all = self._at_hand()
-        listed = None if is_all else partial(self.full_search, history, budget)
+        listed = None if is_all else partial(self.full_search, history, budget, computed)
+        lookups = self._lookups
+        if lookups is None or lookups.relations is not relations:
+            lookups = self._lookups = Lookups(relations, code.query)
         seen = with_history(relations, history)
-        return Answering(seen, code.clauses, self.computed, budget, code=code, listed=listed)
+        asked = self.computed if computed is None else computed
+        return Answering(seen, code.clauses, asked, budget, code=code, listed=listed, lookups=lookups)
 
-    def full_search(self, history: History = (), budget: int = DEFAULT_BUDGET) -> Answering:
+    def full_search(
+        self,
+        history: History = (),
+        budget: int = DEFAULT_BUDGET,
+        computed: Mapping[Indicator, Computed] | None = None,
+    ) -> Answering:
         """A fresh search over everything that can be listed."""
         _ = self.relations
-        return self.search(history, budget)
+        return self.search(history, budget, computed)
 
     @cached_property
     def constraints(self) -> Constraints:

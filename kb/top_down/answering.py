@@ -22,12 +22,13 @@ from typing import Self
 from casper.kb.errors import Undefined
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator, Literal
-from casper.kb.terms.terms import Variable
+from casper.kb.terms.terms import Term, Variable
 from casper.kb.terms.unification import Bindings, substitute
 from casper.kb.terms.unknown import DOUBT
 from casper.kb.terms.values.arithmetic import EvaluationFailed
 from casper.kb.top_down.compiled.code import NotCarried
 from casper.kb.top_down.linking import Code
+from casper.kb.top_down.lookups import Lookups, Planned, shape_of
 from casper.kb.top_down.plain import PlainSolver
 from casper.kb.top_down.search import Search, names_of
 
@@ -41,15 +42,26 @@ class Answering(PlainSolver):
     Args:
         code: the compiled form of the clauses, which searches share.
         listed: gives the same search over everything that can be listed, where only facts are at hand.
+        inner: clauses of goals inside the question.
+        lookups: the plans of questions on stored rows alone, where ``relations`` are theirs (and did/2 at most).
     """
 
     code: Code | None = None
     listed: Callable[[], Answering] | None = None
     inner: Mapping[Indicator, tuple[Clause, ...]] = field(default_factory=dict)
+    lookups: Lookups | None = None
 
     def possible(self, body: Sequence[Literal], bindings: Bindings | None = None, depth: int = 0) -> Iterator[Bindings]:
         """As `solve`, with the doubtful solutions among the others; a solution may come twice."""
         given = {} if bindings is None else bindings
+        looked_up = self._looked_up(body, given)
+        if looked_up is None:
+            return self._searched(body, given)
+        names, found = looked_up
+        return ({**given, **dict(zip(names, values))} for values in found)
+
+    def _searched(self, body: Sequence[Literal], given: Bindings) -> Iterator[Bindings]:
+        """As `possible`, by the machine or by plain resolution."""
         if DOUBT not in given:
             try:
                 for solution, certain in self._by_machine(body, given):
@@ -64,15 +76,26 @@ class Answering(PlainSolver):
 
     def rows(self, body: Sequence[Literal], names: Sequence[Variable]) -> Iterator[tuple[Row, str]]:
         """The values of some variables in every solution, with what makes it doubtful (else ``""``); as `possible`."""
+        looked_up = self._looked_up(body, {})
+        if looked_up is None:
+            return self._searched_rows(body, names)
+        columns, found = looked_up
+        if list(columns) == list(names):
+            return ((values, "") for values in found)
+        places = [columns.get(name, -1) for name in names]
+        return ((_picked(places, names, values), "") for values in found)
+
+    def _searched_rows(self, body: Sequence[Literal], names: Sequence[Variable]) -> Iterator[tuple[Row, str]]:
+        """As `rows`, by the machine or by plain resolution."""
         asked = body if self.code is None else self.code.query(body)
         columns = {name: at for at, name in enumerate(names_of(asked))}
-        wanted = [columns.get(name, -1) for name in names]
+        places = [columns.get(name, -1) for name in names]
         search = self._search()
         try:
             for values, certain in search.found(asked, {}):
                 if values is None or not certain:
                     break
-                yield tuple([name if at < 0 else values[at] for at, name in zip(wanted, names)]), ""
+                yield _picked(places, names, values), ""
             else:
                 return
         except _UNSETTLED:
@@ -82,6 +105,27 @@ class Answering(PlainSolver):
         for solution in self.plain().possible(body):
             doubt = str(solution[DOUBT]) or "it is undefined" if DOUBT in solution else ""
             yield tuple([substitute(name, solution) for name in names]), doubt
+
+    def _looked_up(self, body: Sequence[Literal], given: Bindings) -> tuple[dict[Variable, int], Iterator[Row]] | None:
+        """The open variables of a question on stored rows alone, and the values of each answer; None for any other."""
+        if self.lookups is None or DOUBT in given:
+            return None
+        asked = shape_of(body, given)
+        planned = None if asked is None else self.lookups.of(asked[0])
+        if asked is None or planned is None:
+            return None
+        _, constants, names = asked
+        if len(body) > 1 or self.deadline is not None or self.cancelled is not None:
+            return names, self._metered(planned, constants, body)
+        return names, planned.answers(constants, None)
+
+    def _metered(self, planned: Planned, constants: Sequence[Term], body: Sequence[Literal]) -> Iterator[Row]:
+        """The answers, within the budget of this search."""
+        search = self._search()
+        try:
+            yield from planned.answers(constants, search.meter(body))
+        finally:
+            self.steps = search.steps
 
     def answers(self, literal: Literal, bindings: Bindings, depth: int = 0) -> Iterator[Bindings]:
         """Every extension of the bindings under which one condition holds, the doubtful among them."""
@@ -93,7 +137,8 @@ class Answering(PlainSolver):
 
     def over(self, relations: Mapping[Indicator, Relation], *, floundering_fails: bool = False) -> Self:
         """The same search over other relations."""
-        return replace(super().over(relations, floundering_fails=floundering_fails), listed=None)
+        own = self.clauses, self.computed, self.budget, 0, floundering_fails, False, self.deadline, self.cancelled
+        return type(self)(relations, *own, self.code, None, self.inner)
 
     def _by_machine(
         self, body: Sequence[Literal], bindings: Bindings
@@ -133,3 +178,8 @@ class Answering(PlainSolver):
             self.deadline,
             self.cancelled,
         )
+
+
+def _picked(places: Sequence[int], names: Sequence[Variable], values: Row) -> Row:
+    """The values of the names; one that has no place stays as it is."""
+    return tuple([name if at < 0 else values[at] for at, name in zip(places, names)])

@@ -19,7 +19,6 @@ from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute
 from casper.kb.top_down.compiled.cells import Cell, deref, freeze, fresh_variable, inward, variant
 from casper.kb.top_down.compiled.code import STOP, Frame, Node, Slots, linked, node_of
 from casper.kb.top_down.linking import Code, Computed, Links
-from casper.kb.top_down.lookups import answers, lookups_of
 from casper.kb.top_down.running.engine import ROOT
 from casper.kb.top_down.running.machine import Machine
 
@@ -100,14 +99,10 @@ class Search:
         """
         names = names_of(body)
         links = Links(self.relations, self._compiled, self.computed)
-        plain = None if given else lookups_of(body, names, links)
-        if plain is not None:
-            yield from ((row, True) for row in answers(plain, len(names), self._meter(body)))
-            return
         slots: Slots = {variable: at for at, variable in enumerate(names, 1)}
         cells: dict[Variable, Cell] = {}
         frame: Frame = [0, *(inward(substitute(name, given), cells) for name in names)]
-        machine = Machine(links, self._meter(body), self.floundering_fails, self.settled)
+        machine = Machine(links, self.meter(body), self.floundering_fails, self.settled)
         stop = Node(STOP, ("", 0), _nothing, None, ROOT)
         chain = linked([*(node_of(literal, slots, given) for literal in body), stop])
         own = {id(cell): variable for variable, cell in cells.items()}
@@ -140,7 +135,7 @@ class Search:
             self.code = Code(self.clauses)
         return self.code
 
-    def _meter(self, body: Sequence[Literal]) -> Callable[[int], int]:
+    def meter(self, body: Sequence[Literal]) -> Callable[[int], int]:
         """What looks at steps, clock and memory now and then."""
         held, weighed = sys.getallocatedblocks(), self.steps
 

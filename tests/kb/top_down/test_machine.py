@@ -183,18 +183,3 @@ def test_an_undefined_answer_is_neither_given_nor_kept_quiet():
     assert [next(found)[Variable("X")]] == ["b"]
     with pytest.raises(Undefined):
         next(found)
-
-
-@given(
-    st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), max_size=8),
-    st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), max_size=8),
-    st.sampled_from(["r(X, Y), s(Y, Z)", "r(X, X), s(X, Y)", "r(1, Y), s(Y, 2)", "r(X, Y), r(Y, X), s(_, X)", "s(A, B)", "r(X, Y), s(Z, Z)"]),
-)
-def test_look_ups_alone_give_the_machines_answers_in_its_order(some, others, goal):
-    relations = {("r", 2): Relation("r", 2, some), ("s", 2): Relation("s", 2, others)}
-    (body,) = read_query(goal)
-    names = [v for literal in body for v in literal.variables()]
-    expected = [[substitute(v, s) for v in names] for s in Solver(relations, {}).solve(body)]
-    assert [[substitute(v, s) for v in names] for s in Search(relations, {}).solve(body)] == expected
-    machine = Search(relations, {}).solve([*body, Literal(Compound(("true",)))])
-    assert [[substitute(v, s) for v in names] for s in machine] == expected
