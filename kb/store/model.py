@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, MutableMapping
+from collections.abc import Collection, Iterable, Mapping, MutableMapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from threading import RLock
@@ -16,7 +16,9 @@ from casper.kb.program.program import Program, analyse
 from casper.kb.reasons.validity import Constraints, History, constraints_of, with_history
 from casper.kb.relations.layered import LayeredRelation
 from casper.kb.relations.relation import Relation, Row, copied
+from casper.kb.store.layers import GivenLayer, Layers
 from casper.kb.store.on_demand import check_storable, code_of, facts_key, facts_of, index, is_demanded, listed_of
+from casper.kb.store.queries import MOST_REMEMBERED, Query, query_of
 from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.terms.origins import Origin
 from casper.kb.top_down.answering import Answering
@@ -45,6 +47,7 @@ class Model:
     round: int = 1 << 40  # of the next change; later than any round of a fixpoint
     layers: int = 0  # how many models this one is laid over
     lock: RLock = field(default_factory=RLock)  # held while rows are listed: rows and code change at once
+    queries: dict[str, Query] = field(default_factory=dict)  # those that were asked before, by their texts
     _lookups: Lookups | None = None  # of the rows that are at hand
 
     @classmethod
@@ -96,6 +99,19 @@ class Model:
             return listed
         with self.lock:
             return self.facts if self.listed is None else self.listed
+
+    def query(self, goal: str) -> Query:
+        """A query of text, read and checked once.
+
+        Raises:
+            ReadError, ProgramError: with the place of the mistake.
+        """
+        found = self.queries.get(goal)
+        if found is None:
+            if len(self.queries) >= MOST_REMEMBERED:
+                self.queries.clear()
+            found = self.queries[goal] = query_of(goal, self.program.clauses)
+        return found
 
     def _at_hand(self) -> tuple[MutableMapping[Indicator, Relation], Code, bool]:
         """The rows that are there now, with the clauses that go with them, and whether that is all."""
@@ -201,10 +217,10 @@ class Model:
     def layer(self, computed: Mapping[Indicator, Computed]) -> Model:
         """A model laid over this one: what changes there leaves this one as it is."""
         with self.lock:
-            given, facts = _Layers(self.given, _GivenLayer), _Layers(self.facts, LayeredRelation)
-            listed = None if self.listed is None else _Layers(self.listed, LayeredRelation)
+            given, facts = Layers(self.given, GivenLayer), Layers(self.facts, LayeredRelation)
+            listed = None if self.listed is None else Layers(self.listed, LayeredRelation)
         kept = self.maintenance, listed, self.changed, self.round
-        return Model(self.program, given, facts, computed, *kept, self.layers + 1)
+        return Model(self.program, given, facts, computed, *kept, self.layers + 1, queries=self.queries)
 
     def apart(self, computed: Mapping[Indicator, Computed]) -> Model:
         """The same model to be changed while somebody goes on reading this one."""
@@ -214,68 +230,5 @@ class Model:
         with self.lock:
             facts = {i: copied(self.facts[i]) for i in self.facts}
             listed = None if self.listed is None else {i: copied(self.listed[i]) for i in self.listed}
-        return Model(self.program, given, facts, computed, self.maintenance, listed, self.changed, self.round)
-
-
-class _Layers(dict):  # type: ignore[type-arg]
-    """A mapping laid over another: an entry gets a layer of its own when it is first looked up."""
-
-    def __init__(self, below: Mapping, layer: type) -> None:  # type: ignore[type-arg]
-        super().__init__()
-        self.below, self.layer = below, layer
-
-    def __missing__(self, key: Indicator) -> object:
-        return self.setdefault(key, self.layer(self.below[key]))  # of two threads that look, the first one's counts
-
-    def get(self, key: Indicator, default: object = None) -> object:
-        """The entry, through its layer."""
-        try:
-            return self[key]
-        except KeyError:
-            return default
-
-    def __contains__(self, key: object) -> bool:
-        return super().__contains__(key) or key in self.below
-
-    def __iter__(self) -> Iterator[Indicator]:
-        return iter(dict.fromkeys((*self.below, *super().__iter__())))
-
-    def __len__(self) -> int:
-        return sum(1 for _ in self)
-
-    def values(self) -> list[object]:  # type: ignore[override]
-        """Every entry, through its layer."""
-        return [self[key] for key in self]
-
-
-class _GivenLayer(MutableMapping[Row, "Origin"]):
-    """Base facts laid over others."""
-
-    def __init__(self, below: Mapping[Row, Origin]) -> None:
-        self.below = below
-        self.above: dict[Row, Origin] = {}
-        self.gone: set[Row] = set()
-
-    def __contains__(self, row: object) -> bool:
-        return row in self.above or (row in self.below and row not in self.gone)
-
-    def __getitem__(self, row: Row) -> Origin:
-        if row in self.above:
-            return self.above[row]
-        if row in self.gone:
-            raise KeyError(row)
-        return self.below[row]
-
-    def __setitem__(self, row: Row, clause: Origin) -> None:
-        self.above[row] = clause
-
-    def __delitem__(self, row: Row) -> None:
-        self.above.pop(row, None)
-        self.gone.add(row)
-
-    def __iter__(self) -> Iterator[Row]:
-        yield from (row for row in self.below if row not in self.gone and row not in self.above)
-        yield from self.above
-
-    def __len__(self) -> int:
-        return sum(1 for _ in self)
+        kept = self.maintenance, listed, self.changed, self.round
+        return Model(self.program, given, facts, computed, *kept, queries=self.queries)

@@ -17,7 +17,7 @@ from casper.kb.text.reader import read_text
 def program_of(text):
     base = KnowledgeBase()
     base.add(read_text(text))
-    return analyse(base.clauses, base._dynamic)
+    return analyse(base.clauses, base._stated.dynamic)
 
 
 def clauses_of(program):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
+from contextlib import nullcontext, suppress
 from itertools import islice
 
 import pytest
@@ -96,7 +96,7 @@ def ruled(*rules: str) -> KnowledgeBase:
 def program_of(text):
     base = KnowledgeBase()
     base.add(read_text(text))
-    return analyse(base.clauses, base._dynamic)
+    return analyse(base.clauses, base._stated.dynamic)
 
 
 @given(plain_programs(circles=True))
@@ -163,7 +163,8 @@ def test_ask_the_goal_and_the_rows_agree_after_changes(text, sequence):
 
     base = KnowledgeBase.from_text(text)
     for change in sequence:
-        base.ask(change[1])  # an answer remembered from before must not survive the change
+        with suppress(Undefined):
+            base.ask(change[1])  # an answer remembered from before must not survive the change
         apply(base, change)
     for name, arity in {**BASE, **DERIVED}.items():
         relation = base.stored((name, arity))

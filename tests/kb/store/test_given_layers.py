@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from casper.kb.base import KnowledgeBase
 from casper.kb.relations.layered import LayeredRelation
 from casper.kb.relations.relation import Relation
-from casper.kb.store.model import _GivenLayer, _Layers
+from casper.kb.store.layers import GivenLayer, Layers
 
 row = st.tuples(st.integers(0, 2), st.integers(0, 2))
 changes = st.lists(st.tuples(st.booleans(), row), max_size=12)
@@ -15,7 +15,7 @@ changes = st.lists(st.tuples(st.booleans(), row), max_size=12)
 @given(st.dictionaries(row, st.none()), changes)
 def test_given_facts_in_a_layer_are_those_of_a_dict_with_the_same_changes(below, made):
     before = dict(below)
-    layer, expected = _GivenLayer(below), dict(below)
+    layer, expected = GivenLayer(below), dict(below)
     for adds, changed in made:
         if adds:
             layer[changed] = expected[changed] = "clause"
@@ -28,7 +28,7 @@ def test_given_facts_in_a_layer_are_those_of_a_dict_with_the_same_changes(below,
 
 
 def test_what_was_taken_away_in_a_layer_is_not_there():
-    layer = _GivenLayer({("a",): None, ("b",): None})
+    layer = GivenLayer({("a",): None, ("b",): None})
     del layer[("a",)]
     assert list(layer) == [("b",)] and len(layer) == 1
     assert layer.get(("a",), "gone") == "gone"
@@ -38,7 +38,7 @@ def test_what_was_taken_away_in_a_layer_is_not_there():
 
 def test_each_predicate_has_a_layer_of_its_own_as_soon_as_it_is_looked_at():
     below = {("p", 1): Relation("p", 1, [("a",)]), ("q", 1): Relation("q", 1)}
-    layers = _Layers(below, LayeredRelation)
+    layers = Layers(below, LayeredRelation)
     assert ("p", 1) in layers and ("r", 1) not in layers
     assert list(layers) == [("p", 1), ("q", 1)] and len(layers) == 2
     layers["p", 1].add(("b",))

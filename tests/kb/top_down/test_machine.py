@@ -4,13 +4,11 @@ import random
 
 import pytest
 from hypothesis import given
-from hypothesis import strategies as st
 from programs import DERIVED, programs
 from swi_answers import answers_of, needs_swipl
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import BudgetExceeded, ProgramError, Undefined
-from casper.kb.relations.relation import Relation
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.terms import Compound, Variable, list_items, make_list
 from casper.kb.terms.unification import substitute
