@@ -43,7 +43,7 @@ class _Plan:
     rule: Clause
     at: int
 
-    @property
+    @cached_property
     def head(self) -> Indicator:
         """The predicate it gives rows of."""
         return self.rule.head.indicator
@@ -67,6 +67,7 @@ class Maintenance:
     _plans: dict[tuple[Indicator, bool], list[_Plan]] = field(init=False)
     _checks: dict[Indicator, list[Join]] = field(default_factory=dict)
     _needed: dict[frozenset[Indicator], frozenset[Indicator]] = field(default_factory=dict)
+    _renewed: dict[frozenset[Indicator], bool] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self._plans = defaultdict(list)
@@ -89,12 +90,13 @@ class Maintenance:
         came: Change = defaultdict(dict)
         went: Change = defaultdict(dict)
         blurred: set[Indicator] = set()  # predicates whose undefined rows have changed
+        changed = {i for rows in (added, removed) for i in rows if rows[i]}
         for stratum in self.program.strata:
-            changed = {i for rows in (added, removed, came, went) for i in rows if rows[i]} | blurred
             if changed.isdisjoint(stratum) and changed.isdisjoint(self._needs(stratum)):
                 continue
             if self._is_blurred(stratum, relations, blurred):
                 round_ = self._renew(given, relations, stratum, came, went, blurred, round_)
+                changed.update(blurred, (i for i in stratum if came[i] or went[i]))
                 continue
             failures: list[Failure] = []
             disturbed = removed or came or went
@@ -109,10 +111,13 @@ class Maintenance:
                 old, now = over.get(indicator, {}), new.get(indicator, {})
                 came[indicator] = {row: None for row in now if row not in old}
                 went[indicator] = {row: None for row in old if row not in now}
+                if came[indicator] or went[indicator]:
+                    changed.add(indicator)
             if failures:
                 rules = [rule for i in stratum for rule in self.program.rules[i]]
                 add_undefined(rules, stratum, relations, failures, Room(MOST_ROWS, relations))
                 blurred.update(i for i in stratum if relations[i].undefined is not None)
+                changed |= blurred
         return round_
 
     def _needs(self, stratum: frozenset[Indicator]) -> frozenset[Indicator]:
@@ -127,11 +132,22 @@ class Maintenance:
     ) -> bool:
         """Whether undefined rows play a part in a stratum, or may come to."""
         needed = self._needs(stratum)
-        if any(x.is_aggregate for i in stratum for rule in self.program.rules[i] for x in rule.body):
+        if self._is_renewed(stratum) or not needed.isdisjoint(blurred):
             return True
-        if not (stratum.isdisjoint({*self.program.circular, *self.program.least}) and needed.isdisjoint(blurred)):
-            return True
-        return any(relations[i].undefined is not None for i in (*stratum, *needed) if i in relations)
+        for indicator in (*stratum, *needed):
+            relation = relations.get(indicator)
+            if relation is not None and relation.undefined is not None:
+                return True
+        return False
+
+    def _is_renewed(self, stratum: frozenset[Indicator]) -> bool:
+        """Whether a stratum is worked out anew whatever has changed: it counts, runs in a circle, or keeps the best."""
+        found = self._renewed.get(stratum)
+        if found is None:
+            counts = any(x.is_aggregate for i in stratum for rule in self.program.rules[i] for x in rule.body)
+            is_plain = stratum.isdisjoint({*self.program.circular, *self.program.least})
+            found = self._renewed[stratum] = counts or not is_plain
+        return found
 
     def _renew(
         self,

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
 from casper.kb.reasons.counting import counted
+from casper.kb.reasons.premises import NotLookedUp, Premises
 from casper.kb.reasons.proof import Proof
 from casper.kb.relations.relation import Columns, Relation, Row
 from casper.kb.terms.builtins import BUILTINS
@@ -128,14 +129,23 @@ def _earlier_body(atom: Compound, clause: Clause, known: _Known, everywhere: boo
     """An instance of the clause's body that gives the row and rests on earlier ones; of the same stratum, or all."""
     round_ = known.relations[atom.indicator].round_of(atom.args)
     within = None if everywhere else known.stratum_of(atom.indicator)
+    earlier = {x.needed for x in clause.body if x.needed is not None and not x.is_strict}
+    earlier = earlier if within is None else earlier & within
+    try:
+        return Premises(known.relations, earlier, round_, known.solver.budget).of(atom, clause)
+    except NotLookedUp:
+        return _searched_body(atom, clause, known, earlier, round_)
+
+
+def _searched_body(
+    atom: Compound, clause: Clause, known: _Known, earlier: Collection[Indicator], round_: int
+) -> tuple[Literal, ...] | None:
+    """As `_earlier_body`, by resolution."""
     relations = dict[Indicator, Relation]()
-    for literal in clause.body:
-        if literal.needed is not None:
-            relation = known.relations[literal.needed]
-            is_earlier = not literal.is_strict and (within is None or literal.needed in within)
-            relations.setdefault(literal.needed, relation)
-            if is_earlier:
-                relations[literal.needed] = _Earlier(relation, round_)  # type: ignore[assignment]
+    for indicator in (x.needed for x in clause.body if x.needed is not None):
+        relation = known.relations[indicator]
+        is_earlier = indicator in earlier
+        relations[indicator] = _Earlier(relation, round_) if is_earlier else relation  # type: ignore[assignment]
     solver = known.solver
     search = solver.plain().over(relations)  # its premises are rows, too
     for body in _instances(atom, clause, search):

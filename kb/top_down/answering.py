@@ -107,13 +107,20 @@ class Answering(PlainSolver):
             yield tuple([substitute(name, solution) for name in names]), doubt
 
     def _looked_up(self, body: Sequence[Literal], given: Bindings) -> tuple[dict[Variable, int], Iterator[Row]] | None:
-        """The open variables of a question on stored rows alone, and the values of each answer; None for any other."""
+        """The open variables of a question on stored rows alone, and the values of each answer; None for any other.
+
+        Raises:
+            BudgetExceeded: this search has had its steps: one for every question, and those of nested look-ups.
+        """
         if self.lookups is None or DOUBT in given:
             return None
         asked = shape_of(body, given)
         planned = None if asked is None else self.lookups.of(asked[0])
         if asked is None or planned is None:
             return None
+        self.steps += 1
+        if self.steps > self.budget:
+            raise self._search().stopped(body, f"{self.budget} steps")
         _, constants, names = asked
         if len(body) > 1 or self.deadline is not None or self.cancelled is not None:
             return names, self._metered(planned, constants, body)

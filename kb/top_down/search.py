@@ -136,14 +136,14 @@ class Search:
         return self.code
 
     def meter(self, body: Sequence[Literal]) -> Callable[[int], int]:
-        """What looks at steps, clock and memory now and then."""
+        """What looks at steps, clock and memory now and then: called with the steps since then, it grants some more."""
         held, weighed = sys.getallocatedblocks(), self.steps
 
         def look(used: int) -> int:
             nonlocal weighed
             self.steps += used
             if self.steps > self.budget:
-                raise self._stopped(body, f"{self.budget} steps")
+                raise self.stopped(body, f"{self.budget} steps")
             if self.deadline is not None and time.monotonic() > self.deadline:
                 raise BudgetExceeded("the search stopped when its time was up: the answer is unknown")
             if self.cancelled is not None and self.cancelled():
@@ -151,12 +151,13 @@ class Search:
             if self.steps - weighed > _BETWEEN_WEIGHINGS:
                 weighed = self.steps
                 if sys.getallocatedblocks() - held > MOST_BLOCKS:
-                    raise self._stopped(body, f"{self.steps} steps, when it held too much memory")
+                    raise self.stopped(body, f"{self.steps} steps, when it held too much memory")
             return min(BETWEEN_LOOKS, self.budget + 1 - self.steps)
 
         return look
 
-    def _stopped(self, body: Sequence[Literal], limit: str) -> BudgetExceeded:
+    def stopped(self, body: Sequence[Literal], limit: str) -> BudgetExceeded:
+        """What is raised when the search has had what it may."""
         name, arity = body[0].atom.indicator if body else ("true", 0)
         return BudgetExceeded(f"the search for {name}/{arity} stopped after {limit}: the answer is unknown")
 
