@@ -12,7 +12,7 @@ it needs has changed.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable, Mapping, MutableMapping
+from collections.abc import Callable, Collection, Iterable, Mapping, MutableMapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TypeAlias
@@ -22,7 +22,7 @@ from casper.kb.bottom_up.join import Join
 from casper.kb.bottom_up.row_fixpoint import evaluate_stratum
 from casper.kb.bottom_up.size import MOST_ROWS, Room
 from casper.kb.program.program import Program
-from casper.kb.program.strata import needs
+from casper.kb.program.strata import dependents, needs
 from casper.kb.relations.relation import Columns, Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.terms.unification import Bindings
@@ -68,6 +68,7 @@ class Maintenance:
     _checks: dict[Indicator, list[Join]] = field(default_factory=dict)
     _needed: dict[frozenset[Indicator], frozenset[Indicator]] = field(default_factory=dict)
     _renewed: dict[frozenset[Indicator], bool] = field(default_factory=dict)
+    _doubtful: dict[frozenset[Indicator], Sequence[Indicator]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self._plans = defaultdict(list)
@@ -134,11 +135,30 @@ class Maintenance:
         needed = self._needs(stratum)
         if self._is_renewed(stratum) or not needed.isdisjoint(blurred):
             return True
-        for indicator in (*stratum, *needed):
+        for indicator in self._doubtful_of(stratum):
             relation = relations.get(indicator)
             if relation is not None and relation.undefined is not None:
                 return True
         return False
+
+    def _doubtful_of(self, stratum: frozenset[Indicator]) -> Sequence[Indicator]:
+        """The predicates that a stratum has to do with and that can have undefined rows at all."""
+        found = self._doubtful.get(stratum)
+        if found is None:
+            found = self._doubtful[stratum] = [i for i in (*stratum, *self._needs(stratum)) if i in self._fallible]
+        return found
+
+    @cached_property
+    def _fallible(self) -> set[Indicator]:
+        """The predicates with a rule that compares, counts, runs in a circle or keeps the best, and all that need them.
+
+        Rows of no other are ever undefined.
+        """
+        rules = self.program.rules
+        bodies = ((indicator, rule.body) for indicator, found in rules.items() for rule in found)
+        worked_out = {i for i, body in bodies if any(x.is_comparison or x.is_aggregate for x in body)}
+        roots = {*worked_out, *self.program.circular, *self.program.least}
+        return roots | dependents(rules, roots)
 
     def _is_renewed(self, stratum: frozenset[Indicator]) -> bool:
         """Whether a stratum is worked out anew whatever has changed: it counts, runs in a circle, or keeps the best."""

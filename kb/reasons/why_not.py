@@ -90,7 +90,6 @@ def attempts(statement: Compound, clauses: Sequence[Clause], solver: Solver) -> 
     Where the nearest is too far to search for, the first condition that fails stands for it. What is undefined is not
     said to fail, unless nothing else stands in the way.
     """
-    solver = replace(solver, doubts_hold=True)
     for clause in clauses:
         plain = settled(clause, statement, solver)
         if plain is not None:
@@ -102,7 +101,7 @@ def attempts(statement: Compound, clauses: Sequence[Clause], solver: Solver) -> 
         if bindings is None or not body:
             continue
         for search, share in ((nearest, 10), (first_failing, 1)):
-            limited = replace(solver, steps=0, budget=solver.budget // share, floundering_fails=True)
+            limited = replace(solver, steps=0, budget=solver.budget // share, floundering_fails=True, doubts_hold=True)
             try:
                 failed = search(body, bindings, limited) or search(body, bindings, replace(limited, doubts_hold=False))
             except (BudgetExceeded, RecursionError):
@@ -124,9 +123,7 @@ def settled(clause: Clause, statement: Compound, solver: Solver) -> tuple[Litera
     failed = []
     for literal in clause.body:
         atom = substitute(literal.atom, bindings)
-        if not is_ground(atom):
-            return None
-        if literal.is_aggregate:
+        if not is_ground(atom) or literal.is_aggregate:
             return None
         if literal.is_comparison:
             try:

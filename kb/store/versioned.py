@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
 from functools import wraps
 from threading import RLock
 from typing import Concatenate, ParamSpec, Self, TypeVar
@@ -77,8 +76,7 @@ class Versioned:
                 self._view = ref(view)
             return view
 
-    @contextmanager
-    def _changing(self) -> Iterator[None]:
+    def _changing(self) -> _Change:
         """While a change is made: nobody else makes one, and nothing that a snapshot holds is in its way.
 
         Raises:
@@ -86,14 +84,7 @@ class Versioned:
         """
         if self._view is _frozen:
             raise ProgramError("a snapshot stays as it is: change the knowledge base, or ask assume(…) what if")
-        with self.lock:
-            self._begun += 1
-            try:
-                if self._view() is not None:
-                    self._part()
-                yield
-            finally:
-                self._ended += 1
+        return _Change(self)
 
     def _part(self) -> None:
         """Leave everything to the snapshot that has it, and go on with copies and a layer over the model."""
@@ -146,6 +137,30 @@ class Versioned:
     def _broken(self, atom: Compound) -> Iterator[Compound]:
         """The computed relation never/1: the constraints that the facts alone break."""
         return broken(atom, self._model.constraints.always)
+
+
+class _Change:
+    """One change under way; ``with`` it the lock is held, and what a snapshot holds has been left to it."""
+
+    __slots__ = ("base",)
+
+    def __init__(self, base: Versioned) -> None:
+        self.base = base
+
+    def __enter__(self) -> None:
+        base = self.base
+        base.lock.acquire()
+        base._begun += 1
+        try:
+            if base._view() is not None:
+                base._part()
+        except BaseException:
+            self.__exit__()
+            raise
+
+    def __exit__(self, *_: object) -> None:
+        self.base._ended += 1
+        self.base.lock.release()
 
 
 def _nobody() -> None:

@@ -84,6 +84,9 @@ def _of_chain(chain: list[tuple[Term, ...]], last: Term) -> Term:
     return last
 
 
+_FLAT = frozenset((str, int, float))  # types of parts that stay as they are
+
+
 def predication(term: Term) -> Compound:
     """The term as something that can be true: an atom becomes a compound without arguments.
 
@@ -101,6 +104,8 @@ def predication(term: Term) -> Compound:
 
 def _as_compound(term: tuple[Term, ...]) -> Compound:
     """A Python tuple as a compound, to the bottom."""
+    if _FLAT.issuperset(map(type, term)):
+        return Compound(term)
     return Compound(
         [_as_compound(part) if isinstance(part, tuple) and not isinstance(part, Compound) else part for part in term]
     )

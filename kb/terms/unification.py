@@ -40,7 +40,7 @@ def is_ground(term: Term) -> bool:
 
 def walk(term: Term, bindings: Bindings) -> Term:
     """What the term stands for: follow a variable to its value or to an unbound variable."""
-    while isinstance(term, Variable):
+    while type(term) is Variable:
         value = bindings.get(term, term)
         if value is term:
             return term
@@ -55,7 +55,7 @@ def substitute(term: Term, bindings: Bindings) -> Term:
         return term
     spine = []  # the last argument is followed in a loop: a list is as deep as it is long
     while isinstance(term, Compound):
-        spine.append([substitute(part, bindings) for part in term[:-1]])
+        spine.append([part if type(part) is str else substitute(part, bindings) for part in term[:-1]])
         term = walk(term[-1], bindings)
     for parts in reversed(spine):
         term = Compound([*parts, term])

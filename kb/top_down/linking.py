@@ -70,7 +70,7 @@ class Code:
 
     def query(self, body: Sequence[Literal]) -> list[Literal]:
         """A question's conditions in the order in which they are taken."""
-        if all(x.is_comparison or x.needed in self.finite for x in body):
+        if len(body) > 1 and all(x.is_comparison or x.needed in self.finite for x in body):
             return ordered(body, (), self.size_of)
         return list(body)
 
