@@ -135,11 +135,13 @@ def per_call(function: Callable[..., Any], *args: Any, sizes: Sizes) -> tuple[fl
     if (first := now() - began) > 2:
         return first, result  # too slow for warmth to matter
     gc.disable()
-    once = _seconds(function, args, 1)
-    number = max(1, int(sizes.loop_seconds / max(once, 1e-8)))
-    runs = sizes.loops if once < 0.1 else min(sizes.loops, 3)
-    times = [once] if once > 0.5 else [_seconds(function, args, number) for _ in range(runs)]
-    gc.enable()
+    try:
+        once = _seconds(function, args, 1)
+        number = max(1, int(sizes.loop_seconds / max(once, 1e-8)))
+        runs = sizes.loops if once < 0.1 else min(sizes.loops, 3)
+        times = [once] if once > 0.5 else [_seconds(function, args, number) for _ in range(runs)]
+    finally:
+        gc.enable()
     return statistics.median(times), result
 
 
