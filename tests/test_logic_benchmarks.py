@@ -141,6 +141,15 @@ def test_both_encodings_of_the_ontology_derive_as_much():
     assert one == other > len(made.types) + len(made.links)
 
 
+def test_deriving_a_base_that_answers_on_demand_lists_all_of_it():
+    program = ontology.as_facts(ontology.generated(0.1))
+    kb = engines.loaded(program)
+    kb.compile()
+    assert kb.stored(("type", 2)) is None
+    count = engines.compiled(kb, program)
+    assert count == engines.answers_of(kb, program)[0] > sum(map(len, program.facts.values()))
+
+
 def test_an_absent_peer_is_a_visible_line(monkeypatch):
     monkeypatch.setattr(prolog, "is_installed", lambda: False)
     monkeypatch.setattr(engines.importlib.util, "find_spec", lambda name: None)
