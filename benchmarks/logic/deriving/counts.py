@@ -5,9 +5,9 @@ from functools import partial
 from typing import Any
 
 from ..bounds import Bound
-from ..figures import OURS, Amounts, Figure, Found, Rows, Sizes, attempt, fingerprint, repeated, timed
+from ..figures import OURS, Amounts, Figure, Found, Rows, Sizes, attempt, fingerprint, repeated
 from ..peers import prolog
-from ..peers.engines import stated
+from ..peers.engines import grounded_rows, stated
 
 TITLE = "Counts and sums by group"
 TIMED = (
@@ -45,23 +45,12 @@ def measure(sizes: Sizes) -> Found:
         seconds, found = repeated(lambda b=bases: _totals(next(b)), sizes)  # type: ignore[misc]
         yield Figure(task, OURS, seconds, fingerprint(found))
         yield attempt(task, "swipl", partial(prolog.enumerated, given + ours, "total(G, N)", ["G", "N"], sizes))
-        yield attempt(task, "clingo", partial(_clingo, given + clingo))
+        yield attempt(task, "clingo", partial(grounded_rows, given + clingo, "total", 2))
 
 
 def _totals(kb: Any) -> list[Any]:
     kb.compile()
     return list(kb.rows("total", 2))
-
-
-def _clingo(text: str) -> tuple[float, tuple[int, int]] | str:
-    try:
-        from clingo import Control
-    except ImportError:
-        return "the Python package clingo is not installed"
-    control = Control(["-Wnone"])
-    control.add("base", [], text)
-    seconds, _ = timed(lambda: control.ground([("base", [])]))
-    return seconds, fingerprint(atom.symbol.arguments for atom in control.symbolic_atoms.by_signature("total", 2))
 
 
 def promises(amounts: Amounts, sizes: Sizes) -> Iterator[Bound]:

@@ -3,6 +3,7 @@
 Two graphs of as many moves: one with circles, which has drawn (undefined) positions, and one without.
 """
 
+import importlib.util
 from collections.abc import Iterator
 from functools import partial
 from random import Random
@@ -13,7 +14,7 @@ from casper.kb.base import KnowledgeBase
 from ..bounds import Bound, against
 from ..figures import OURS, Amounts, Figure, Found, Rows, Sizes, Skipped, attempt, fingerprint, repeated, timed
 from ..peers import prolog
-from ..peers.engines import stated
+from ..peers.engines import NO_CLINGO, stated
 
 TITLE = "Games"
 TIMED = (
@@ -70,10 +71,10 @@ def positions(kb: KnowledgeBase) -> Iterator[tuple[Any, str]]:
 
 
 def _clingo(moves: Rows) -> tuple[float, tuple[int, int]] | str:
-    try:
-        from clingo import Control
-    except ImportError:
-        return "the Python package clingo is not installed"
+    if importlib.util.find_spec("clingo") is None:
+        return NO_CLINGO
+    from clingo import Control
+
     control = Control(["-Wnone"])
     control.add("base", [], "".join(f"move({x},{y}).\n" for x, y in moves) + IN_CLINGO)
     found: list[tuple[Any, str]] = []

@@ -15,9 +15,9 @@ from ..figures import OURS, Amounts, Figure, Found, Sizes, attempt, fingerprint,
 
 TITLE = "RDF"
 TIMED = (
-    "The generated ontology as triples in a file. Reading: from the file to the rows of one property (casper: "
+    "Shares of the generated ontology as triples in a file. Reading: from the file to the rows of one property (casper: "
     "`import_ontologies`, its findings and names included, and the knowledge base; rdflib: `Graph.parse`, which draws"
-    " no conclusions). Closing: from the file to every type of every individual, of a small share (owlrl: "
+    " no conclusions). Closing: from the file to every type of every individual (owlrl: "
     "`OWLRL_Semantics`)."
 )
 BASE = "http://example.org/large#"
@@ -63,7 +63,7 @@ def _iri(name: object) -> str:
 
 def measure(sizes: Sizes) -> Found:
     """Reading in two syntaxes, and closing."""
-    lines = triples(generated(sizes.ontology))
+    lines = triples(generated(sizes.triples))
     with tempfile.TemporaryDirectory() as folder:
         for syntax, suffix in SYNTAXES.items():
             task, file = READ.format(triples=len(lines), syntax=syntax), Path(folder) / f"large.{suffix}"

@@ -1,5 +1,6 @@
 """Texts: many facts, and many rules that hang on one another, from text to the first answer."""
 
+import importlib.util
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
@@ -9,6 +10,7 @@ from casper.kb.base import KnowledgeBase
 from ..bounds import Bound, within
 from ..figures import OURS, Amounts, Figure, Found, Sizes, attempt, repeated, timed
 from ..peers import prolog
+from ..peers.engines import NO_CLINGO
 
 TITLE = "Loading texts"
 TIMED = (
@@ -63,10 +65,10 @@ def _prolog(text: Text, sizes: Sizes) -> tuple[float, bool] | str:
 def _clingo(text: Text) -> tuple[float, bool] | str:
     if ".5)" in text.statement:
         return "it has no floats"
-    try:
-        from clingo import Control, parse_term
-    except ImportError:
-        return "the Python package clingo is not installed"
+    if importlib.util.find_spec("clingo") is None:
+        return NO_CLINGO
+    from clingo import Control, parse_term
+
     control = Control(["-Wnone"])
 
     def read() -> None:

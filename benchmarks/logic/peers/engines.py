@@ -20,6 +20,7 @@ from ..figures import OURS, Figure, Rows, Sizes, Skipped, fingerprint, timed
 from . import prolog
 
 Indicator: TypeAlias = tuple[str, int]
+NO_CLINGO = "the Python package clingo is not installed"
 READ = "{task}, and every row read in Python"
 CLINGO_SETTINGS: tuple[tuple[tuple[str, ...], str], ...] = (
     ((), ""),
@@ -124,7 +125,7 @@ def answers_of(kb: KnowledgeBase, program: Program) -> tuple[int, int]:
 def clingo(programs: Sequence[Program], sizes: Sizes) -> Outcome | str:
     """clingo: `ground` alone, the best of its settings, then reading every atom; or why it was left out."""
     if importlib.util.find_spec("clingo") is None:
-        return "the Python package clingo is not installed"
+        return NO_CLINGO
     ways = [(program.text(), *setting) for program in programs for setting in CLINGO_SETTINGS]
     best = min(ways, key=lambda way: grounded(*way)[0])
     runs = [grounded(*best) for _ in range(sizes.repeats)]
@@ -139,6 +140,14 @@ def grounded(text: str, options: tuple[str, ...], extra: str) -> tuple[float, An
     control = package.Control(["-Wnone", *options])
     control.add("base", [], text + extra)
     return timed(lambda: control.ground([("base", [])]))[0], control
+
+
+def grounded_rows(text: str, name: str, arity: int) -> tuple[float, tuple[int, int]] | str:
+    """clingo's seconds of grounding, and the fingerprint of one predicate's rows; or why there are none."""
+    if importlib.util.find_spec("clingo") is None:
+        return NO_CLINGO
+    seconds, control = grounded(text, (), "")
+    return seconds, fingerprint(atom[1:] for atom in atoms_of(control, name, arity))
 
 
 def atoms_of(control: Any, name: str, arity: int) -> Iterator[list[Any]]:
