@@ -6,6 +6,7 @@ therefore the whole way from rows or text to an answer that needs a rule, and to
 """
 
 import gc
+import importlib.util
 from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
@@ -14,7 +15,7 @@ from casper.kb.base import KnowledgeBase
 
 from ..bounds import Bound, ratio
 from ..figures import OURS, Amounts, Figure, Found, Sizes, attempt, repeated, timed
-from ..peers.engines import Program, atoms_of, compiled, everything, grounded, loaded
+from ..peers.engines import NO_CLINGO, Program, atoms_of, compiled, everything, grounded, loaded
 from ..peers.fresh import fresh, resident
 from .ontology import as_facts, generated
 
@@ -23,9 +24,9 @@ TIMED = (
     "The ontology, axioms as facts. Until the first answer: building the base and asking for one type that takes an "
     "axiom. Until all is derived: building it and listing every row. Beside it deriving alone, of a base that is "
     "built. Memory is how much a fresh process has grown once its own rows or text are gone. clingo grounds, which "
-    "derives all. A large base answers from its facts and lists what follows when that is asked for: the two promises"
-    " made before that was so (loading against deriving, bytes a derived fact) would now compare with nothing, so "
-    "they are about these two ways."
+    "derives all. A large base answers from its facts and lists what follows when that is asked for: the two promises "
+    "made before that was so (loading against deriving, bytes a derived fact) would now compare with nothing, so they "
+    "are about these two ways."
 )
 FIRST, ALL = "from {source}, until the first answer that needs a rule", "from {source}, until all is derived"
 ALONE = "deriving alone, of a base that is built"
@@ -46,7 +47,7 @@ def measure(sizes: Sizes) -> Found:
         yield Figure(FIRST.format(source=source), OURS, seconds, found)
         seconds, count = repeated(partial(_derived, build, program), sizes)
         yield Figure(ALL.format(source=source), OURS, seconds, count)
-    yield attempt(ALL.format(source="text"), "clingo", lambda: timed(lambda: _all_in_clingo(text, program)))
+    yield attempt(ALL.format(source="text"), "clingo", partial(_all_in_clingo, text, program))
     yield _alone(program, sizes)
     yield from _memory(sizes)
 
@@ -75,9 +76,12 @@ def _alone(program: Program, sizes: Sizes) -> Figure:
     return Figure(ALONE, OURS, seconds, count)
 
 
-def _all_in_clingo(text: str, program: Program) -> int:
-    _, control = grounded(text, (), "")
-    return sum(1 for counted in program.counted for _ in atoms_of(control, *counted))
+def _all_in_clingo(text: str, program: Program) -> tuple[float, int] | str:
+    """Seconds of reading the text and grounding it, and the number of rows, counted afterwards."""
+    if importlib.util.find_spec("clingo") is None:
+        return NO_CLINGO
+    seconds, (_, control) = timed(lambda: grounded(text, (), ""))
+    return seconds, sum(1 for counted in program.counted for _ in atoms_of(control, *counted))
 
 
 def _memory(sizes: Sizes) -> Found:

@@ -21,8 +21,8 @@ from ..peers.fresh import fresh
 TITLE = "Shortest paths"
 TIMED = (
     "Weighted edges and rules are loaded; timed is deriving the minima and reading them, in a fresh process that is "
-    "stopped after three quarters of a minute. SWI-Prolog has the same text. clingo has no recursive minimum: it derives every distance "
-    "up to a largest one that counts, which it is told, and then takes `#min`."
+    "stopped after three quarters of a minute. SWI-Prolog has the same text. clingo has no recursive minimum: it "
+    "derives every distance up to a largest one that counts, which it is told, and then takes `#min`."
 )
 NAMED = ":- table dist(_, min).\ndist(0, 0).\ndist(Y, D) :- dist(X, E), edge(X, Y, W), D is E + W.\n"
 PATHS = (

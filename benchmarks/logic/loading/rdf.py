@@ -15,9 +15,9 @@ from ..figures import OURS, Amounts, Figure, Found, Sizes, attempt, fingerprint,
 
 TITLE = "RDF"
 TIMED = (
-    "Shares of the generated ontology as triples in a file. Reading: from the file to the rows of one property (casper: "
-    "`import_ontologies`, its findings and names included, and the knowledge base; rdflib: `Graph.parse`, which draws"
-    " no conclusions). Closing: from the file to every type of every individual (owlrl: "
+    "Shares of the generated ontology as triples in a file. Reading: from the file to the rows of one property "
+    "(casper: `import_ontologies`, its findings and names included, and the knowledge base; rdflib: `Graph.parse`, "
+    "which draws no conclusions). Closing: from the file to every type of every individual (owlrl: "
     "`OWLRL_Semantics`)."
 )
 BASE = "http://example.org/large#"
