@@ -17,7 +17,7 @@ if str(ROOT) not in sys.path:
 from benchmarks.logic import meaning, report  # noqa: E402
 from benchmarks.logic import page as pages  # noqa: E402
 from benchmarks.logic.asking import demand, queries, rows  # noqa: E402
-from benchmarks.logic.bounds import Bound  # noqa: E402
+from benchmarks.logic.bounds import Bound, against  # noqa: E402
 from benchmarks.logic.deriving import closures, games, ontology, shortest  # noqa: E402
 from benchmarks.logic.figures import TINY, Figure, Skipped, attempt, clock, fingerprint, per_call  # noqa: E402
 from benchmarks.logic.meaning import Held  # noqa: E402
@@ -235,6 +235,11 @@ def test_the_page_keeps_what_others_wrote_and_the_parts_that_were_not_measured(t
 def test_promises_are_judged_on_their_side():
     assert Bound("p", 3.0, 2.0, "×").held is False and Bound("p", 3.0, 2.0, "×", at_least=True).held is True
     assert Bound("p", None, 2.0, "×").held is None
+
+
+def test_what_came_to_no_end_while_its_peer_did_is_not_kept():
+    assert against({("t", "clingo"): 1.0}, "t", "clingo").held is False
+    assert against({}, "t", "clingo").held is None
 
 
 def test_amounts_have_the_unit_that_suits_them():

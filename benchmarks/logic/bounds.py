@@ -4,6 +4,7 @@ A family of benchmarks states its own in ``promises``; what stands behind one is
 """
 
 from dataclasses import dataclass
+from math import inf
 from typing import TypeAlias
 
 from .figures import OURS, Amounts
@@ -40,7 +41,9 @@ def ratio(amounts: Amounts, promise: str, ours: Key, other: Key, bound: float) -
 
 
 def against(amounts: Amounts, task: str, peer: str, bound: float = 1) -> Bound:
-    """On one task, at most so many times what a peer took."""
+    """On one task, at most so many times what a peer took; where only the peer came to an end, it is not kept."""
+    if (task, peer) in amounts and (task, OURS) not in amounts:
+        return Bound(f"{task}, against {peer}", inf, bound, "×")
     return ratio(amounts, f"{task}, against {peer}", (task, OURS), (task, peer), bound)
 
 

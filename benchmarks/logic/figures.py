@@ -175,6 +175,8 @@ def attempt(task: str, engine: str, work: Callable[[], tuple[float, Hashable] | 
     """A peer's figure; or its reason for giving none, a failure among them: one peer must not end the run."""
     try:
         found = work()
+    except TimeoutError as late:
+        return Skipped(task, engine, str(late))
     except Exception as mistake:
         lines = str(mistake).strip().splitlines() or [""]
         return Skipped(task, engine, f"it failed: {type(mistake).__name__}: {lines[0][:200]}")
