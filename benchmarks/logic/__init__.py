@@ -1,1 +1,1 @@
-"""The knowledge base and its peers (plain kanren, clingo, SWI-Prolog) in one run, with equal answers."""
+"""The knowledge base and its peers (plain kanren, clingo, SWI-Prolog, rdflib) in one run, with equal answers."""

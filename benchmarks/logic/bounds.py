@@ -1,20 +1,20 @@
-"""What the project promises of its logic, each promise as a number from the run beside its bound."""
+"""Promises: each is a number from the run beside its bound, kept or not kept.
 
-from collections.abc import Iterator, Mapping
+A family of benchmarks states its own in ``promises``; what stands behind one is a task and an engine of its figures.
+"""
+
 from dataclasses import dataclass
+from math import inf
 from typing import TypeAlias
 
-from . import closures, ontology, queries, reasons, updates
-from .figures import CONTROL, OURS, Sizes
-from .memory import Memory
-from .peers import DERIVING
+from .figures import OURS, Amounts
 
-Times: TypeAlias = Mapping[tuple[str, str], float]  # seconds by (task, engine)
+Key: TypeAlias = tuple[str, str]  # task, engine
 
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """A promise; ``value`` is None when something it needs was not measured."""
+    """A promise; ``value`` is None when something it needs was not measured, or the answers differed."""
 
     promise: str
     value: float | None
@@ -30,55 +30,30 @@ class Bound:
         return self.value >= self.bound if self.at_least else self.value <= self.bound
 
 
-def bounds(times: Times, sizes: Sizes, memory: Memory | None) -> Iterator[Bound]:
-    """Every promise, against what was measured."""
-    yield from _verification(times)
-    for task in closures.graphs(sizes):
-        yield _ratio(times, f"{task}, against clingo", (task, OURS), (task, "clingo"), 1, "×")
-    yield _best_encoding(times)
-    derived = (ontology.LOADING.format(source="rows"), DERIVING)
-    for source in ("rows", "text"):
-        task = ontology.LOADING.format(source=source)
-        yield _ratio(times, f"{task}, against deriving alone", (task, OURS), derived, 2, "×")
-    for name in ("type", "holds"):
-        yield _absolute(times, updates.ASSERT.format(name=name), 100)
-        yield _absolute(times, updates.RETRACT.format(name=name), 1000)
-        yield _absolute(times, updates.GIVEN.format(name=name), 1000)
-    for task in (task for task in reasons.KITCHEN if "why_not" in task):
-        yield _absolute(times, task, 100)
-    each = None if memory is None else memory.resident / memory.derived
-    yield Bound("memory of the large base", each, 1024, "bytes a derived fact")
+def quotient(amounts: Amounts, one: Key, other: Key) -> float | None:
+    """How many times the other the one is, where both were measured."""
+    return amounts[one] / amounts[other] if one in amounts and other in amounts else None
 
 
-def _verification(times: Times) -> Iterator[Bound]:
-    task = queries.EVERY
-    value = _quotient(times, (task, queries.KANREN), (task, OURS))
-    yield Bound(f"{task}: `ask` faster than plain kanren by", value, 1000, "×", at_least=True)
-    for task in queries.GROUND:
-        yield _ratio(times, f"{task}: `ask`, against SWI-Prolog", (task, OURS), (task, "swipl"), 1, "×")
-        yield _ratio(
-            times, f"{task}: goal in `run`, control", (task, queries.GOAL), (CONTROL, queries.KANREN), 2, "×"
-        )
+def ratio(amounts: Amounts, promise: str, ours: Key, other: Key, bound: float) -> Bound:
+    """At most so many times what another took."""
+    return Bound(promise, quotient(amounts, ours, other), bound, "×")
 
 
-def _best_encoding(times: Times) -> Bound:
-    """The ontology, each engine on the encoding of the axioms that suits it best."""
-    tasks = [ontology.TASK.format(encoding=encoding) for encoding in ("facts", "rules")]
-    ours, theirs = ([times[task, engine] for task in tasks if (task, engine) in times] for engine in (OURS, "clingo"))
-    value = min(ours) / min(theirs) if ours and theirs else None
-    return Bound("the ontology, each in its best encoding, against clingo", value, 1, "×")
+def against(amounts: Amounts, task: str, peer: str, bound: float = 1) -> Bound:
+    """On one task, at most so many times what a peer took; where only the peer came to an end, it is not kept."""
+    if (task, peer) in amounts and (task, OURS) not in amounts:
+        return Bound(f"{task}, against {peer}", inf, bound, "×")
+    return ratio(amounts, f"{task}, against {peer}", (task, OURS), (task, peer), bound)
 
 
-def _ratio(
-    times: Times, promise: str, ours: tuple[str, str], other: tuple[str, str], bound: float, unit: str
-) -> Bound:
-    return Bound(promise, _quotient(times, ours, other), bound, unit)
+def within(amounts: Amounts, task: str, bound: float, unit: str = "ms", engine: str = OURS) -> Bound:
+    """At most so many seconds, in milli- or microseconds."""
+    found = amounts.get((task, engine))
+    each = {"s": 1.0, "ms": 1e3, "µs": 1e6}[unit]
+    return Bound(task, None if found is None else found * each, bound, unit)
 
 
-def _quotient(times: Times, one: tuple[str, str], other: tuple[str, str]) -> float | None:
-    return times[one] / times[other] if one in times and other in times else None
-
-
-def _absolute(times: Times, task: str, microseconds: float) -> Bound:
-    found = times.get((task, OURS))
-    return Bound(task, None if found is None else found * 1e6, microseconds, "µs")
+def least(amounts: Amounts, task: str, bound: float, unit: str) -> Bound:
+    """At least so many of something that is counted."""
+    return Bound(task, amounts.get((task, OURS)), bound, unit, at_least=True)

@@ -7,8 +7,9 @@ is the left-recursive rule's, the other stands beside it.
 from collections.abc import Iterator
 from random import Random
 
-from .figures import OURS, Figure, Rows, Sizes, Skipped, timed
-from .peers import Program, casper, derivations, loaded
+from ..bounds import Bound, against
+from ..figures import OURS, Amounts, Figure, Rows, Sizes, Skipped, timed
+from ..peers.engines import Program, casper, derivations, loaded
 
 TITLE = "Closures, all pairs"
 TIMED = (
@@ -60,3 +61,8 @@ def _first_reason(task: str, edges: Rows) -> Figure:
 
     seconds, proof = timed(reason)
     return Figure(task, OURS, seconds, proof is not None)
+
+
+def promises(amounts: Amounts, sizes: Sizes) -> Iterator[Bound]:
+    """Every graph faster than clingo."""
+    yield from (against(amounts, task, "clingo") for task in graphs(sizes))

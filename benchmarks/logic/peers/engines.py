@@ -6,7 +6,7 @@ engine gets the same. An engine that is not installed gives a `Skipped`, which t
 
 import importlib.util
 import statistics
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import chain
@@ -16,11 +16,11 @@ from casper.kb.base import KnowledgeBase
 from casper.kb.terms.clauses import Clause
 from casper.kb.terms.terms import Compound
 
+from ..figures import OURS, Figure, Rows, Sizes, Skipped, fingerprint, timed
 from . import prolog
-from .figures import OURS, Figure, Rows, Sizes, Skipped, fingerprint, timed
 
 Indicator: TypeAlias = tuple[str, int]
-DERIVING = "deriving alone"
+NO_CLINGO = "the Python package clingo is not installed"
 READ = "{task}, and every row read in Python"
 CLINGO_SETTINGS: tuple[tuple[tuple[str, ...], str], ...] = (
     ((), ""),
@@ -36,6 +36,12 @@ class Program:
     rules: tuple[str, ...]
     counted: tuple[Indicator, ...]
     tabling: tuple[str, ...] = ("variant",)  # SWI-Prolog's modes that are worth trying
+
+    @property
+    def smallest(self) -> Indicator:
+        """The predicate with the fewest facts."""
+        name = min(self.facts, key=lambda name: len(self.facts[name]))
+        return name, len(self.facts[name][0])
 
     def text(self) -> str:
         """Everything as text."""
@@ -70,13 +76,30 @@ def loaded(program: Program) -> KnowledgeBase:
     return kb
 
 
+def stated(facts: Mapping[str, Rows], text: str) -> KnowledgeBase:
+    """A knowledge base of rows and of rules and directives as text, not yet compiled."""
+    kb = KnowledgeBase.from_text("".join(f":- dynamic {name}/{len(rows[0])}.\n" for name, rows in facts.items()) + text)
+    for name, rows in facts.items():
+        kb.facts(name, rows)
+    return kb
+
+
 def compiled(kb: KnowledgeBase, program: Program) -> int:
     """Derive everything, answer one question about constants that are there, and count the rows."""
     kb.compile()
+    count = everything(kb, program.smallest, program.counted)
     name, arity = next(indicator for indicator in program.counted if kb.defines(*indicator))
     constants = [value for rows in program.facts.values() for value in rows[0]]
     kb.ask((name, *constants[:arity]))
-    relations = [kb.stored(indicator) for indicator in program.counted if kb.defines(*indicator)]
+    return count
+
+
+def everything(kb: KnowledgeBase, smallest: Indicator, counted: Iterable[Indicator]) -> int:
+    """Derive everything, and count rows: a large base lists what follows when the rows of some predicate are read."""
+    for _ in kb.rows(*smallest):
+        break
+    relations = [kb.stored(indicator) for indicator in counted if kb.defines(*indicator)]
+    assert None not in relations, "something that should be listed is not"
     return sum(len(relation) for relation in relations if relation is not None)
 
 
@@ -102,16 +125,16 @@ def answers_of(kb: KnowledgeBase, program: Program) -> tuple[int, int]:
 def clingo(programs: Sequence[Program], sizes: Sizes) -> Outcome | str:
     """clingo: `ground` alone, the best of its settings, then reading every atom; or why it was left out."""
     if importlib.util.find_spec("clingo") is None:
-        return "the Python package clingo is not installed"
+        return NO_CLINGO
     ways = [(program.text(), *setting) for program in programs for setting in CLINGO_SETTINGS]
-    best = min(ways, key=lambda way: _grounded(*way)[0])
-    runs = [_grounded(*best) for _ in range(sizes.repeats)]
+    best = min(ways, key=lambda way: grounded(*way)[0])
+    runs = [grounded(*best) for _ in range(sizes.repeats)]
     control, counted = runs[-1][1], programs[0].counted
-    reading, rows = timed(lambda: list(chain.from_iterable(_atoms(control, *x) for x in counted)))
+    reading, rows = timed(lambda: list(chain.from_iterable(atoms_of(control, *x) for x in counted)))
     return Outcome(statistics.median(run[0] for run in runs), fingerprint(rows), reading)
 
 
-def _grounded(text: str, options: tuple[str, ...], extra: str) -> tuple[float, Any]:
+def grounded(text: str, options: tuple[str, ...], extra: str) -> tuple[float, Any]:
     import clingo as package
 
     control = package.Control(["-Wnone", *options])
@@ -119,14 +142,22 @@ def _grounded(text: str, options: tuple[str, ...], extra: str) -> tuple[float, A
     return timed(lambda: control.ground([("base", [])]))[0], control
 
 
-def _atoms(control: Any, name: str, arity: int) -> Iterator[list[Any]]:
+def grounded_rows(text: str, name: str, arity: int) -> tuple[float, tuple[int, int]] | str:
+    """clingo's seconds of grounding, and the fingerprint of one predicate's rows; or why there are none."""
+    if importlib.util.find_spec("clingo") is None:
+        return NO_CLINGO
+    seconds, control = grounded(text, (), "")
+    return seconds, fingerprint(atom[1:] for atom in atoms_of(control, name, arity))
+
+
+def atoms_of(control: Any, name: str, arity: int) -> Iterator[list[Any]]:
     return ([name, *atom.symbol.arguments] for atom in control.symbolic_atoms.by_signature(name, arity))
 
 
 def swipl(programs: Sequence[Program], sizes: Sizes) -> Outcome | str:
     """SWI-Prolog: tabled queries for all answers, timed inside it, the best of its settings; or a reason."""
     if not prolog.is_installed():
-        return "swipl is not on the PATH"
+        return prolog.ABSENT
     finished = []
     for program, mode in ((each, mode) for each in programs for mode in each.tabling):
         tabled = tuple(dict.fromkeys(_head(rule) for rule in program.rules))
@@ -151,27 +182,15 @@ ENGINES: dict[str, Engine] = {OURS: casper, "clingo": clingo, "swipl": swipl}
 def derivations(task: str, programs: Sequence[Program], sizes: Sizes) -> Iterator[Figure | Skipped]:
     """The figures of one task, engine by engine; peers choose among the ways to put it."""
     for name, engine in ENGINES.items():
-        outcome = engine(programs, sizes)
+        try:
+            outcome = engine(programs, sizes)
+        except Exception as mistake:
+            if name == OURS:
+                raise
+            outcome = f"it failed: {str(mistake).strip().partition(chr(10))[0][:200]}"
         if isinstance(outcome, str):
             yield Skipped(task, name, outcome)
             continue
         yield Figure(task, name, outcome.seconds, outcome.answers)
         if outcome.reading is not None:
             yield Figure(READ.format(task=task), name, outcome.seconds + outcome.reading)
-
-
-def loadings(task: str, program: Program, sizes: Sizes) -> Iterator[Figure | Skipped]:
-    """Building the base and deriving, from rows and from text; beside it the deriving alone."""
-    whole, alone = [], []
-    for _ in range(sizes.repeats):
-        building, kb = timed(partial(loaded, program))
-        deriving, count = timed(partial(compiled, kb, program))
-        whole.append(building + deriving)
-        alone.append(deriving)
-    yield Figure(task.format(source="rows"), OURS, statistics.median(whole), count)
-    yield Figure(task.format(source="rows"), DERIVING, statistics.median(alone))
-    text = program.text()
-    seconds, count = timed(lambda: compiled(KnowledgeBase.from_text(text), program))
-    yield Figure(task.format(source="text"), OURS, seconds, count)
-    if importlib.util.find_spec("clingo") is not None:
-        yield Figure(task.format(source="text"), "clingo", timed(lambda: _grounded(text, (), ""))[0])

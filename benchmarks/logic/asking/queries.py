@@ -14,8 +14,9 @@ from casper.kb.terms.clauses import Clause
 from casper.kb.terms.terms import Variable
 from casper.kb.text.writer import program_text
 
-from . import prolog
-from .figures import CONTROL, OURS, Figure, Sizes, Skipped, per_call
+from ..bounds import Bound, quotient, ratio, within
+from ..figures import CONTROL, OURS, Amounts, Figure, Sizes, Skipped, per_call
+from ..peers import prolog
 from .kitchen import STATEMENTS, kitchen
 
 TITLE = "Kitchen verification"
@@ -154,3 +155,13 @@ def _prolog(kb: KnowledgeBase, sizes: Sizes) -> Iterator[Figure | Skipped]:
     goals[VALID] = "valid(_)"
     for task, (seconds, count) in prolog.calls(kb.to_text() + VALID_IN_PROLOG, goals, sizes).items():
         yield Figure(task, "swipl", seconds, count)
+
+
+def promises(amounts: Amounts, sizes: Sizes) -> Iterator[Bound]:
+    """Verification against plain kanren and SWI-Prolog, goals against kanren's own cost, and valid(S)."""
+    value = quotient(amounts, (EVERY, KANREN), (EVERY, OURS))
+    yield Bound(f"{EVERY}: `ask` faster than plain kanren by", value, 1000, "×", at_least=True)
+    for task in GROUND:
+        yield ratio(amounts, f"{task}: `ask`, against SWI-Prolog", (task, OURS), (task, "swipl"), 1)
+        yield ratio(amounts, f"{task}: goal in `run`, against the control", (task, GOAL), (CONTROL, KANREN), 2)
+    yield within(amounts, VALID, 0.4, engine=QUERY)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from casper.kb.base import KnowledgeBase
 
-ONTOLOGY = Path(__file__).resolve().parents[2] / "domains" / "kitchen" / "ontology.pl"
+ONTOLOGY = Path(__file__).resolve().parents[3] / "domains" / "kitchen" / "ontology.pl"
 STATEMENTS = ("pick_and_place", "eat", "sip", "cook", "wash")
 
 

@@ -3,14 +3,14 @@
 import statistics
 from collections.abc import Callable, Iterator
 from random import Random
-from time import perf_counter
 from typing import Any
 
 from casper.kb.base import KnowledgeBase
 
-from .figures import OURS, Figure, Row, Rows, Sizes, Skipped, timed
+from ..bounds import Bound, within
+from ..figures import OURS, Amounts, Figure, Row, Rows, Sizes, Skipped, now, timed
+from ..peers.engines import Program, answers_of, compiled, has, loaded
 from .ontology import Ontology, as_facts, generated
-from .peers import Program, answers_of, compiled, has, loaded
 
 TITLE = "Updates of the large base"
 TIMED = (
@@ -77,13 +77,21 @@ def _median(kb: KnowledgeBase, change: Callable[[Any], Any], name: str, rows: Ro
 
 def timed_change(kb: KnowledgeBase, change: Callable[[Any], Any], statement: tuple[Any, ...]) -> float:
     """Seconds of a change and of asking for its fact, so that upkeep cannot be put off."""
-    began = perf_counter()
+    began = now()
     change(statement)
     kb.ask(statement)
-    return perf_counter() - began
+    return now() - began
 
 
 def _anew(label: str, program: Program) -> Figure:
     kb = loaded(program)
     seconds, _ = timed(lambda: compiled(kb, program))
     return Figure(label, AGAIN, seconds, answers_of(kb, program))
+
+
+def promises(amounts: Amounts, sizes: Sizes) -> Iterator[Bound]:
+    """What one change and one question may cost."""
+    for name in ("type", "holds"):
+        yield within(amounts, ASSERT.format(name=name), 100, "µs")
+        yield within(amounts, RETRACT.format(name=name), 1000, "µs")
+        yield within(amounts, GIVEN.format(name=name), 1000, "µs")

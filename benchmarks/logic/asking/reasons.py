@@ -4,15 +4,15 @@ import statistics
 from collections.abc import Callable, Iterator
 from itertools import islice
 from random import Random
-from time import perf_counter
 from typing import Any
 
 from casper.kb.base import KnowledgeBase
 
-from .figures import OURS, Figure, Sizes, per_call
+from ..bounds import Bound, within
+from ..deriving.ontology import as_facts, generated
+from ..figures import OURS, Amounts, Figure, Sizes, now, per_call
+from ..peers.engines import compiled, loaded
 from .kitchen import kitchen
-from .ontology import as_facts, generated
-from .peers import compiled, loaded
 
 TITLE = "Reasons"
 TIMED = (
@@ -60,7 +60,12 @@ def _over(reason: Callable[[Any], Any], task: str, statements: list[Any]) -> Fig
     reason(statements[0])
     times, found = [], 0
     for statement in statements:
-        began = perf_counter()
+        began = now()
         found += bool(reason(statement))
-        times.append(perf_counter() - began)
+        times.append(now() - began)
     return Figure(task, OURS, statistics.median(times), found == len(statements))
+
+
+def promises(amounts: Amounts, sizes: Sizes) -> Iterator[Bound]:
+    """What a refusal of the kitchen may cost."""
+    yield from (within(amounts, task, 100, "µs") for task in KITCHEN if "why_not" in task)

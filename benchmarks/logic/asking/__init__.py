@@ -1,0 +1,1 @@
+"""What is asked: lookups, joins, lists and programs, one question at a time, and reasons."""

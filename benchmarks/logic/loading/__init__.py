@@ -1,0 +1,1 @@
+"""What is loaded: facts and rules as text, and RDF."""
