@@ -1,4 +1,4 @@
-"""Stopping work that runs: an exception in the main thread, at the next instruction, and only in what it is meant for."""
+"""Stopping work that runs: an exception in the main thread, at its next instruction, in what it is meant for only."""
 
 from __future__ import annotations
 
