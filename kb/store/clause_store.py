@@ -137,6 +137,11 @@ class ClauseStore:
             self._statements.update(dict.fromkeys(statements))
             self._validated = {}
 
+    @property
+    def declared(self) -> Sequence[Indicator]:
+        """The predicates that are action statements, in the order in which they were named."""
+        return tuple(self._statements)
+
     def compile(self) -> None:
         """Check, stratify and materialise now instead of at the first question.
 
