@@ -8,9 +8,10 @@ from pathlib import Path
 from casper.engine.domain.check_plans import plans_nobody_can_do
 from casper.engine.domain.check_settings import wrong_settings
 from casper.engine.domain.domain import FILES, ONTOLOGY, SHIPPED, Domain, build, find_domain
+from casper.engine.domain.examples import TESTS, examples_of, failure
 from casper.engine.domain.relations import SHARING_NAMES, SYSTEM_RELATIONS
 from casper.kb.checks.check import Context, check_sentences
-from casper.kb.checks.finding import Finding, Severity, finding_of, sorted_findings
+from casper.kb.checks.finding import Finding, Severity, error, finding_of, sorted_findings
 from casper.kb.errors import CasperError, DomainError, Place
 from casper.kb.terms.clauses import Clause, Indicator, Production, Sentence
 from casper.kb.terms.operators import Operators
@@ -45,6 +46,8 @@ def check_domain(name: str | Path) -> list[Finding]:
     findings += wrong_settings(checked.kb)
     if not any(f.severity is Severity.ERROR for f in findings):
         findings += _as_a_whole(folder, read)
+    else:
+        findings += _unread_examples(folder)
     return sorted_findings(findings)
 
 
@@ -115,6 +118,28 @@ def _as_a_whole(folder: Path, read: _Read) -> Iterator[Finding]:
         return
     yield from _asked_of(domain)
     yield from telling_apart.findings(domain.library)
+    yield from _examples(folder, domain)
+
+
+def _examples(folder: Path, domain: Domain) -> Iterator[Finding]:
+    """The author's own tests, those that do not hold."""
+    try:
+        examples = examples_of(folder)
+    except CasperError as mistake:
+        yield finding_of(mistake, Place(str(folder / TESTS)))
+        return
+    for example in examples:
+        wrong = failure(domain, example)
+        if wrong is not None:
+            yield error(example.place, f"this example does not hold: {wrong}")
+
+
+def _unread_examples(folder: Path) -> Iterator[Finding]:
+    """Mistakes in the text of the examples, where the domain itself cannot be asked."""
+    try:
+        examples_of(folder)
+    except CasperError as mistake:
+        yield finding_of(mistake, Place(str(folder / TESTS)))
 
 
 def _asked_of(domain: Domain) -> Iterator[Finding]:

@@ -81,6 +81,11 @@ class ClauseStore(Versioned):
             self._stated.statements.update(dict.fromkeys(statements))
             self._validated = {}
 
+    @property
+    def declared(self) -> Sequence[Indicator]:
+        """The predicates that are action statements, in the order in which they were named."""
+        return tuple(self._stated.statements)
+
     def compile(self) -> None:
         """Check, stratify and materialise now instead of at the first question.
 

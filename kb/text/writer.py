@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 from casper.kb.terms.clauses import Clause, Directive, Indicator, Literal, Production, Sentence
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Term
+from casper.kb.terms.terms import Term, Variable, as_term, predication
 from casper.kb.text.lines import Line, Span, line
 
 MOST_SHOWN = 40  # sentences of a printed text
@@ -27,6 +28,20 @@ def sentence_text(sentence: Sentence) -> str:
 def answer_text(answer: Mapping[str, Term]) -> str:
     """An answer to a query: ``T = meal, D = plate``; ``yes`` where nothing was asked for."""
     return ", ".join(f"{name} = {term_text(value)}" for name, value in answer.items()) or "yes"
+
+
+def answer_json(answer: Mapping[str, Term]) -> dict[str, Any]:
+    """An answer as a JSON object of its variables.
+
+    Numbers and atoms are as they are, compound terms are text, and what may be anything is null.
+    """
+    return {name: _json_value(value) for name, value in answer.items()}
+
+
+def _json_value(term: Term) -> Any:
+    if isinstance(term, Variable):
+        return None
+    return term_text(as_term(predication(term))) if isinstance(term, tuple) else term
 
 
 def indicators_text(indicators: Iterable[Indicator]) -> str:

@@ -307,5 +307,6 @@ class Parser:
             ReadError: something else stands there.
         """
         if self.kinds[self.at] != END:
-            self.unexpected("a full stop", *others)
+            is_stop = self.texts[self.at] == "."
+            self.unexpected("a space or a new line after a full stop" if is_stop else "a full stop", *others)
         self.at += 1

@@ -1,4 +1,5 @@
-"""The command line. Every command but ``repl`` takes ``--json``: one JSON object a line, nothing else on the output.
+"""The command line. Every command takes ``--json`` (but ``repl``, ``batch`` and ``serve``): one JSON
+object a line, nothing else on the output.
 
 Exit codes: 0 done, 1 some statement is not valid (verify), there is no answer (query), or the domain has errors
 (check), 2 a mistake, told in one sentence on standard error.
@@ -18,11 +19,13 @@ from casper import __version__
 from casper.cli.asking.explain import explain
 from casper.cli.asking.query import query
 from casper.cli.asking.repl import repl
+from casper.cli.asking.serve import serve
 from casper.cli.asking.verify import verify
 from casper.cli.authoring.check import check
 from casper.cli.authoring.import_ import import_
 from casper.cli.authoring.train import train
 from casper.cli.terminal.plain import settle_streams, visible
+from casper.cli.watching.batch import batch
 from casper.cli.watching.run import run
 from casper.cli.watching.watch import watch
 from casper.kb.errors import CasperError
@@ -35,7 +38,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,  # plain help: nothing is cut off in a narrow terminal, and no text is taken for markup
 )
-for command in (run, explain, verify, query, repl, watch, check, train, import_):
+for command in (run, explain, verify, query, repl, serve, batch, watch, check, train, import_):
     name = command.__name__.rstrip("_")
     # a sentence in whole, not its beginning
     app.command(name, short_help=(command.__doc__ or "").split("\n")[0])(command)

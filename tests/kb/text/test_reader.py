@@ -365,3 +365,8 @@ def test_what_is_printed_reads_in_again_as_the_same(text):
     printed = program_text(sentences)
     assert read_text(printed) == sentences
     assert program_text(read_text(printed)) == printed
+
+
+def test_a_full_stop_without_a_space_behind_it_is_told_as_what_it_is():
+    with pytest.raises(ReadError, match=r"'\.' does not belong here; expected a space or a new line after a full stop"):
+        read_text("p(0).p(1).")

@@ -19,16 +19,16 @@ def query(
 
     Exit code 0 with an answer, 1 without any.
     """
-    from casper.cli.terminal.output import console, json_value, print_json
+    from casper.cli.terminal.output import console, print_json
     from casper.cli.terminal.showing import say
     from casper.engine.domain.domain import Domain
-    from casper.kb.text.writer import answer_text
+    from casper.kb.text.writer import answer_json, answer_text
 
     out, found = console(), False
     for answer in Domain.load(domain).kb.query(goal, limit):
         found = True
         if as_json:
-            print_json({name: json_value(value) for name, value in answer.items()})
+            print_json(answer_json(answer))
         else:
             say(out, answer_text(answer))
     if not found:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -22,6 +22,7 @@ def verify(
     from casper.cli.terminal.output import print_json
     from casper.engine.domain.domain import Domain
     from casper.kb.errors import DomainError
+    from casper.server.answers import verdict_json
 
     loaded = Domain.load(domain)
     if not loaded.verifies:
@@ -31,22 +32,10 @@ def verify(
         verdict = loaded.kb.verify(text)
         all_valid = all_valid and verdict.valid is True
         if as_json:
-            print_json(_json(text, verdict, loaded.kb))
+            print_json(verdict_json(loaded.kb, text, verdict))
         else:
             _show(verdict, loaded.kb)
     raise typer.Exit(0 if all_valid else 1)
-
-
-def _json(text: str, verdict: Verdict, kb: KnowledgeBase) -> dict[str, Any]:
-    proof = kb.why(verdict.completed) if verdict.valid else None
-    return {
-        "statement": text,
-        "valid": verdict.valid,
-        "completed": repr(verdict.completed) if verdict.valid else None,
-        "proof": proof.to_json() if proof is not None else None,
-        "reasons": list(verdict.reasons),
-        "repair": [repair.to_json() for repair in kb.repair(verdict.statement)] if verdict.valid is False else [],
-    }
 
 
 def _show(verdict: Verdict, kb: KnowledgeBase) -> None:

@@ -8,9 +8,6 @@ from typing import Any
 
 from rich.console import Console
 
-from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Term, Variable, as_term, predication
-
 
 def console() -> Console:
     """The terminal; plain text when it is none. Texts go to it through `showing`, never as markup."""
@@ -26,11 +23,3 @@ def print_json(data: dict[str, Any]) -> None:
         line = json.dumps(data)
     print(line, flush=True)
 
-
-def json_value(term: Term) -> Any:
-    """A term as a JSON value: numbers and atoms as they are, compound terms as text, what may be anything as null."""
-    if isinstance(term, Variable):
-        return None
-    if isinstance(term, tuple):
-        return term_text(as_term(predication(term)))
-    return term

@@ -1,0 +1,112 @@
+"""What is done with one row: a table of tasks, each a function of a domain, a row and the options.
+
+A task names the column it works on and those it gives; all rows of a task have the same columns, whatever they hold.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeAlias
+
+from casper.batch.rows import Row, others, text_of, texts_of, wanted
+from casper.engine.domain.domain import Domain
+from casper.engine.mind import Mind
+from casper.engine.perception.world import world_state_from_json
+from casper.kb.errors import CasperError, WorldStateError
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import as_term
+
+Result: TypeAlias = dict[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """What is done: ``key`` is the column that is worked on, ``gives`` are the columns of the result."""
+
+    name: str
+    key: str
+    gives: tuple[str, ...]
+    work: Callable[[Domain, Any, Mapping[str, Any]], Result]
+
+
+def worked(task: Task, domain: Domain, row: Row, options: Mapping[str, Any]) -> Result:
+    """The result of a row: its number, what else it has, the task's columns, and ``mistake`` (None, or a sentence)."""
+    told: Result = {"row": row.number, **dict(others(row, task.key, (*task.gives, "mistake")))}
+    nothing = dict.fromkeys(task.gives)
+    try:
+        if row.mistake:
+            raise CasperError(row.mistake)
+        return {**told, **nothing, **task.work(domain, wanted(row, task.key), options), "mistake": None}
+    except CasperError as mistake:
+        return {**told, **nothing, "mistake": str(mistake)}
+    except RecursionError:
+        return {**told, **nothing, "mistake": "this goes too deep to be answered"}
+
+
+def _explain(domain: Domain, actions: Any, options: Mapping[str, Any]) -> Result:
+    reading = domain.reading(**options)
+    seen = texts_of(actions, "actions")
+    for action in seen:
+        reading.observe(action)
+    best = reading.first
+    return {
+        "actions": seen,
+        "outcome": reading.outcome,
+        "confidence": reading.confidence,
+        "explanations": str(reading.count) if reading.count >= 1 << 63 else reading.count,
+        "best": None if best is None else best.goal,
+        "posterior": dict(reading.posterior),
+        "frontier": [term_text(as_term(action)) for action in reading.frontier],
+    }
+
+
+def _verify(domain: Domain, statement: Any, options: Mapping[str, Any]) -> Result:
+    text = text_of(statement, "statement")
+    verdict = domain.kb.verify(text)
+    return {
+        "statement": text,
+        "valid": verdict.valid,
+        "completed": repr(verdict.completed) if verdict.valid else None,
+        "reasons": list(verdict.reasons),
+    }
+
+
+def _watch(domain: Domain, recording: Any, options: Mapping[str, Any]) -> Result:
+    """A recording is a file of world states, one JSON object a line, as ``casper watch`` reads them."""
+    file = Path(text_of(recording, "recording"))
+    mind, left_out = Mind(domain, **options), 0
+    for line in _lines(file):
+        try:
+            mind.update(world_state_from_json(line))
+        except WorldStateError:
+            left_out += 1
+    summary = mind.summary()
+    robot = summary["robot"]
+    told = {name: summary[name] for name in WATCH.gives if name in summary}
+    return {**told, "recording": str(file), "robot": list(robot["actions"]), "left_out": left_out}
+
+
+def _lines(file: Path) -> Iterator[str]:
+    try:
+        with file.open(encoding="utf-8-sig", errors="surrogateescape") as lines:
+            yield from (line for line in lines if line.strip())
+    except OSError as mistake:
+        raise CasperError(f"cannot read {file} ({mistake.strerror or mistake})") from None
+
+
+EXPLAIN = Task(
+    "explain",
+    "actions",
+    ("actions", "outcome", "confidence", "explanations", "best", "posterior", "frontier"),
+    _explain,
+)
+VERIFY = Task("verify", "statement", ("statement", "valid", "completed", "reasons"), _verify)
+WATCH = Task(
+    "watch",
+    "recording",
+    ("recording", "predicted", "prediction_time", "observed", "missed", "waiting", "planned", "robot", "left_out"),
+    _watch,
+)
+TASKS = {task.name: task for task in (EXPLAIN, VERIFY, WATCH)}
