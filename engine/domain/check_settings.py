@@ -14,6 +14,7 @@ from casper.engine.perception.focus import focus_settings
 from casper.engine.perception.perception import perception_settings
 from casper.engine.perception.tracking import tracker_settings
 from casper.engine.settings import Rows
+from casper.engine.verification.history import history_settings
 from casper.kb.base import KnowledgeBase
 from casper.kb.checks.finding import Finding, error, warning
 from casper.kb.errors import CasperError, Place
@@ -24,6 +25,7 @@ _STAGES: tuple[tuple[str, int, Callable[[Rows], Any]], ...] = (
     ("setting", 3, tracker_settings),
     ("setting", 3, focus_settings),
     ("setting", 3, action_settings),
+    ("setting", 3, history_settings),
     ("movement", 5, movement_classifier),
 )
 _QUOTED = re.compile(r"(\w+)\((\w+)(?:, (\w+))?")

@@ -17,7 +17,9 @@ TYPES = (
     "reading",
     "prediction",
     "plan",
+    "withdrawn",
     "robot",
+    "episode",
     "warning",
     "summary",
 )

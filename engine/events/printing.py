@@ -117,6 +117,20 @@ def plan_lines(agent: str, waiting: Sequence[str], actions: Sequence[str]) -> It
         yield line(Span(agent, "strong"), f"'s turn: {will}")
 
 
+def withdrawn_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
+    """What the robot had announced and will not do."""
+    yield _at(t, Span(f"✗ {data.get('agent', names.robot)} withdraws its part in {data['goal']}", "warning"))
+    yield _under(Span(data["because"], "faint"))
+
+
+def episode_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
+    """How what a partner did for one goal ended."""
+    goal, seen = data["goal"] or "what nobody could tell", f"{data['observed']} seen, {data['missed']} missed"
+    mark = {"finished": Span("● ", "good"), "abandoned": Span("○ ", "warning"), "unclear": Span("○ ", "faint")}
+    span = Span(f" ({data['from']:.1f} to {data['to']:.1f} s; {seen})", "faint")
+    yield _at(t, mark[data["outcome"]], Span(f"{goal} is {data['outcome']}", "strong"), span)
+
+
 def summary_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
     """What was predicted and done, and whether it was right."""
     predicted = data["predicted"] or "nothing"
@@ -194,6 +208,8 @@ _PRINTERS: dict[str, Callable[[float, Data, Names], Iterator[Line]]] = {
     "reading": _reading,
     "prediction": prediction_lines,
     "plan": _plan,
+    "withdrawn": withdrawn_lines,
+    "episode": episode_lines,
     "robot": robot_lines,
     "warning": _warning,
     "summary": summary_lines,

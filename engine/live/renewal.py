@@ -7,14 +7,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from casper.engine.collaboration.supervisor import Commitment
+from casper.engine.collaboration.supervisor import Commitment, Supervisor
 from casper.engine.domain.domain import Domain
 from casper.engine.domain.relations import SHARING_NAMES
 from casper.engine.domain.reload import Dropped, current_fingerprint, reloaded, replayed
 from casper.engine.mind import Mind
+from casper.engine.reading.underway import Underway
 from casper.engine.verification.verification import Verifier
 from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
@@ -32,26 +34,40 @@ def renewed(mind: Mind, domain: Domain) -> tuple[Mind, tuple[Dropped, ...]]:
     """
     fresh = mind.like(domain)
     _keep_perception(mind, fresh)
-    made, observations = mind.supervisor.commitment, mind.reading.observations
-    before = 0 if made is None else made.observations
-    dropped = replayed(observations[:before], fresh.reading)
-    _keep_commitment(made, fresh)
-    dropped += replayed(observations[before:], fresh.reading)
-    _keep_commitment(made, fresh)
     refused = _keep_history(mind.verifier, fresh.verifier)
+    fresh.course.rows, fresh.course.predicted = mind.course.rows, mind.course.predicted
+    dropped: list[Dropped] = []
+    for episode in (*mind.course.helped, mind.course.current):
+        again, lost = _renewed_episode(episode, fresh)
+        fresh.course.resume(again)
+        dropped += lost
     known = {d.observed for d in dropped}
     return fresh, (*dropped, *(d for d in refused if d.observed not in known))
 
 
-def _keep_commitment(made: Commitment | None, fresh: Mind) -> None:
+def _renewed_episode(episode: Underway, fresh: Mind) -> tuple[Underway, list[Dropped]]:
+    """The episode read anew, and what of it fits no more."""
+    reading = fresh.reading_after(math.inf if episode.begun is None else episode.begun)
+    again = Underway(reading, Supervisor(reading, fresh.course.robot), episode.begun, episode.last)
+    made, observations = episode.supervisor.commitment, episode.reading.observations
+    before = 0 if made is None else made.observations
+    dropped = replayed(observations[:before], reading)
+    _keep_commitment(made, again.supervisor)
+    dropped += replayed(observations[before:], reading)
+    _keep_commitment(made, again.supervisor)
+    again.supervisor.done = list(episode.supervisor.done)
+    return again, dropped
+
+
+def _keep_commitment(made: Commitment | None, supervisor: Supervisor) -> None:
     """Believe in the same goal since the same time; another goal is for the next observation to tell."""
-    if made is not None and fresh.reading.outcome == made.goal:
-        for _ in fresh.supervisor.update(made.t):
+    if made is not None and supervisor.reading.outcome == made.goal:
+        for _ in supervisor.update(made.t):
             pass
 
 
 def _keep_perception(mind: Mind, fresh: Mind) -> None:
-    if mind.domain.partner != fresh.domain.partner:
+    if mind.partner != fresh.partner:
         return
     settings = fresh.tracker.settings
     fresh.tracker = mind.tracker
@@ -76,7 +92,7 @@ def _keep_history(before: Verifier | None, now: Verifier | None) -> tuple[Droppe
             observed = as_term(Compound((statement.functor, *statement.args[1:])))
             dropped.append(Dropped(term_text(observed), verdict.reasons))
         else:
-            now.history.append((statement, seconds))
+            now.history.remember(statement, seconds)
     return tuple(dropped)
 
 
