@@ -7,13 +7,14 @@ It never ends: what a partner does is read episode after episode (`engine.readin
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
 
 from casper.engine.actions.actions import action_recogniser, context_table, contextualise
 from casper.engine.actions.prediction import Prediction
 from casper.engine.collaboration.supervisor import Supervisor
+from casper.engine.domain.agents import check_agents
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.events.printing import plan_lines, prediction_lines
@@ -47,7 +48,8 @@ class Mind:
         history: what was done so far today, which all minds of one world share; None: nothing.
 
     Raises:
-        DomainError: the domain lacks what perception needs (movements, transitions, …), or a setting is wrong.
+        DomainError: the domain lacks what perception needs (movements, transitions, …), a setting is wrong, or names
+            somebody who is not in the world.
         CasperError: a price or a number of goals that is none.
     """
 
@@ -64,6 +66,7 @@ class Mind:
         partner: str | None = None,
         history: History | None = None,
     ) -> None:
+        check_agents(domain.kb)
         rows = domain.kb.rows
         self.domain, self.partner = domain, partner or domain.partner
         choices: dict[str, Any] = {"verification": verification, "policy": policy, "noise": noise, "goals": goals}
@@ -118,31 +121,24 @@ class Mind:
             return []
         focus = self.focus.update(relations)
         movement = self.movements.update(relations, focus)
-        events = [_focus_event(focus), _movement_event(movement)]
+        events = [event.about(self.partner) for event in (_focus_event(focus), _movement_event(movement))]
         prediction = self.actions.update(movement)
         if prediction is not None:
-            events.extend(self._consider(prediction, focus))
-        return self._named(events)
+            events += [event.about(self.partner) for event in self._consider(prediction, focus)]
+        return events
 
     def did(self, action: Compound, t: float) -> list[Event]:
         """The robot has done an action of its part (without the agent): it happened, and its episode may be over."""
         self.history.remember(Compound((action.functor, self.domain.robot, *action.args)), t)
-        return self._named(self.course.did(action, t))
+        return list(self.course.did(action, t))
 
     def failed(self, action: Compound, t: float) -> list[Event]:
         """The robot could not do an action of its part: its episode is over."""
-        return self._named(self.course.failed(action, t))
+        return list(self.course.failed(action, t))
 
     def end(self, t: float) -> list[Event]:
         """Nobody watches any more: the episodes that are still open are over."""
-        return self._named(self.course.end(t))
-
-    def _named(self, events: Iterable[Event]) -> list[Event]:
-        """The events with whom they are about; those of the robot's part name the robot, and the partner beside."""
-        return [Event(event.type, event.t, {**self._whose(event), **event.data}) for event in events]
-
-    def _whose(self, event: Event) -> dict[str, str]:
-        return {"partner" if "agent" in event.data and event.type != "episode" else "agent": self.partner}
+        return list(self.course.end(t))
 
     def summary(self, goal: str | None = None, seed: int | None = None) -> dict[str, Any]:
         """The data of a ``summary`` event; ``goal`` is what the partner really wanted, where somebody knows.

@@ -113,8 +113,8 @@ class Helper:
         return bool(self.asked) and not self.tasks and self.is_good
 
     def _told(self, t: float, task: Task, status: str, reason: str = "") -> Event:
-        data = {"agent": self.domain.robot, "partner": task.mind.partner, "action": _text(task.action), "status": status}
-        return Event("robot", t, {**data, "reason": reason} if reason else data)
+        told = {"agent": self.domain.robot, "partner": task.mind.partner, "action": _text(task.action)}
+        return Event("robot", t, {**told, "status": status, **({"reason": reason} if reason else {})})
 
 
 def _text(action: Compound) -> str:

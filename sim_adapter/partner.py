@@ -10,6 +10,7 @@ from casper.engine.domain.domain import Domain
 from casper.engine.settings import require
 from casper.kb.errors import DomainError
 from casper.kb.terms.terms import Compound
+from casper.sim_adapter.room.scene import Scene
 from casper.sim_adapter.script import ScriptedAction, script_for
 from casper.sim_adapter.simulation import Simulation
 
@@ -62,6 +63,22 @@ def goals_of_a_day(
     return chosen
 
 
+def check_bodies(domain: Domain, scene: Scene) -> None:
+    """See that those whom the domain watches and who helps have the scene's bodies.
+
+    Raises:
+        DomainError: one has none, with the place of the body that the scene has, and what to do.
+    """
+    for role, name, body, kind in (
+        ("partner", domain.partner, scene.human, "person"),
+        ("robot", domain.robot, scene.robot, "mobile_manipulator"),
+    ):
+        if name != body:
+            place = next((c.place for c in domain.kb.clauses_of(("body", 2)) if c.head.args == (body, kind)), None)
+            sentence = f"the {role} {name} has no body in the scene: state body({name}, {kind}) instead of"
+            raise DomainError(f"{sentence} body({body}, {kind}), or setting(agents, {role}, {body})", place)
+
+
 class Partner:
     """Carries out goals in the simulation.
 
@@ -78,7 +95,9 @@ class Partner:
         DomainError, PlanError: there is no such goal, or it cannot be acted out.
     """
 
-    def __init__(self, domain: Domain, simulation: Simulation, goals: Sequence[str], changes_mind: bool = False) -> None:
+    def __init__(
+        self, domain: Domain, simulation: Simulation, goals: Sequence[str], changes_mind: bool = False
+    ) -> None:
         self.simulation = simulation
         self.pursuits = [Pursuit(goal, script_for(domain, goal)) for goal in goals]
         if changes_mind:

@@ -89,7 +89,7 @@ class Simulation:
         )
 
     def remove(self, thing: str) -> None:
-        """Take a movable object out of the world (eaten up, say): it is absent from world states until it is put back."""
+        """Take a movable object out of the world (eaten up, say): no world state has it until it is put back."""
         self.physics.remove(thing)
 
     def put_back(self, thing: str) -> bool:

@@ -17,8 +17,9 @@ from casper.engine.settings import check_seed
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
 from casper.sim_adapter.helping import Helper
-from casper.sim_adapter.partner import Partner, goals_of_a_day
+from casper.sim_adapter.partner import Partner, check_bodies, goals_of_a_day
 from casper.sim_adapter.room.scene import scene_from
+from casper.sim_adapter.script import ScriptedAction
 from casper.sim_adapter.simulation import Simulation
 
 LONGEST = 600.0  # simulated seconds a goal after which a trial is given up
@@ -29,8 +30,8 @@ AFTERWARDS = 6.0  # simulated seconds watched after the partner is done, so that
 class TrialSettings:
     """What a trial is about.
 
-    ``goal`` is a goal's label, or several with commas, which are pursued one after the other; what is not named is drawn
-    from the seed. ``goals_in_a_row`` is how many there are in all (None: as many as are named, at least one), ``goals``
+    ``goal`` is a goal's label, or several with commas, pursued one after the other; what is not named is drawn from the
+    seed. ``goals_in_a_row`` is how many there are in all (None: as many as are named, at least one), ``goals``
     how many the mind takes to be pursued at once. Who ``changes_mind`` gives the first up for the second after one
     action.
     """
@@ -71,7 +72,9 @@ class Trial:
         chosen = self.settings
         check_seed(chosen.seed)
         goals = goals_of_a_day(self.domain, chosen.wanted, chosen.goals_in_a_row, chosen.changes_mind, chosen.seed)
-        self.simulation = Simulation(scene_from(self.domain.kb.rows), seed=chosen.seed)
+        scene = scene_from(self.domain.kb.rows)
+        check_bodies(self.domain, scene)
+        self.simulation = Simulation(scene, seed=chosen.seed)
         self.partner = Partner(self.domain, self.simulation, goals, chosen.changes_mind)
         self.helper = Helper(self.domain, self.simulation)
         self.mind = Mind(
@@ -82,6 +85,16 @@ class Trial:
             noise=chosen.noise,
             goals=chosen.goals,
         )
+
+    @property
+    def goal(self) -> str:
+        """The partner's goal, the first of several."""
+        return self.partner.pursuits[0].goal
+
+    @property
+    def script(self) -> list[ScriptedAction]:
+        """What they would do for it on their own."""
+        return self.partner.pursuits[0].script
 
     def events(self) -> Iterator[Event]:
         """Everything that happens, as it happens; the last event is the ``summary``."""
@@ -132,11 +145,8 @@ class Trial:
         data = self.mind.summary(last, self.settings.seed)
         asked = [term_text(as_term(action)) for action in self.helper.asked]
         data["robot"] = {"actions": asked, "done": self.helper.robot_done}
-        return Event("summary", self.simulation.time, {**data, **self._day(data), "partner_finished": self._finished})
-
-    @property
-    def _finished(self) -> float | None:
-        return self.partner.last_action_done
+        data |= {**self._day(data), "partner_finished": self.partner.last_action_done}
+        return Event("summary", self.simulation.time, data).about(self.mind.partner)
 
     def _day(self, data: dict[str, Any]) -> dict[str, Any]:
         """Of several goals: which they were, and whether those that were finished, and no others, were read as such."""

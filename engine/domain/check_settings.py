@@ -8,6 +8,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from casper.engine.actions.prediction import action_settings
+from casper.engine.domain.agents import strangers
 from casper.engine.domain.relations import SECTIONS
 from casper.engine.movements.movements import movement_classifier
 from casper.engine.perception.focus import focus_settings
@@ -39,6 +40,7 @@ def wrong_settings(kb: KnowledgeBase) -> Iterator[Finding]:
             close = get_close_matches(str(section), SECTIONS, n=1)
             hint = f"did you mean {close[0]}?" if close else f"there are {', '.join(SECTIONS)}"
             yield warning(clause.place, f"nothing reads settings of {section}; {hint}")
+    yield from (error(place, sentence) for place, sentence in strangers(kb))
     for name, arity, stage in _STAGES:
         if kb.clauses_of((name, arity)):
             try:

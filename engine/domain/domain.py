@@ -15,6 +15,7 @@ from pathlib import Path
 from threading import Lock
 from typing import Any
 
+from casper.engine.domain.agents import agent_of, partners_of
 from casper.engine.domain.printing import domain_lines, domain_name
 from casper.engine.explanation.situation import Situation
 from casper.engine.reading.policy import policy_named
@@ -92,18 +93,17 @@ class Domain:
     @property
     def partner(self) -> str:
         """The agent that is watched: ``setting(agents, partner, Name)``, else the first human there is."""
-        return self._agent("partner", "human", "human")
+        return agent_of(self.kb, "partner", "human")
+
+    @property
+    def partners(self) -> tuple[str, ...]:
+        """All who are watched: those of ``setting(agents, partner, Name)``, else every human there is."""
+        return partners_of(self.kb)
 
     @property
     def robot(self) -> str:
         """The agent that helps: ``setting(agents, robot, Name)``, else the first robot there is."""
-        return self._agent("robot", "robot", "robot")
-
-    def _agent(self, role: str, kind: str, otherwise: str) -> str:
-        for section, key, name in self.kb.rows("setting", 3):
-            if (section, key) == ("agents", role):
-                return str(name)
-        return next((str(row[0]) for row in self.kb.rows(kind, 1)), otherwise)
+        return agent_of(self.kb, "robot", "robot")
 
     def reading(
         self,
@@ -145,7 +145,8 @@ class Domain:
             if key not in self._unread:
                 options = Options(noise, goals, self._priors(), score_named(score), budget)
                 matcher = self._matcher(verification, who, known)
-                can = partial(self.capability, partner=who, earlier=known)
+                default = who == self.partner and not known
+                can = self.capability if default else partial(self.capability, partner=who, earlier=known)
                 fresh = Reading(self.library, matcher, policy_named(policy), can, options)
                 if len(self._unread) >= MOST_KEPT or any(other[-1] != key[-1] for other in self._unread):
                     self._unread.clear()

@@ -33,6 +33,12 @@ class Event:
     t: float
     data: Mapping[str, Any] = field(default_factory=dict)
 
+    def about(self, agent: str) -> Event:
+        """The event, naming whose doing it is about; one that names another agent names this one as its partner."""
+        named = self.data.get("agent", agent)
+        settled = named == agent or "partner" in self.data or "by" in self.data
+        return Event(self.type, self.t, {"agent": named, **({} if settled else {"partner": agent}), **self.data})
+
     def to_json(self) -> dict[str, Any]:
         """The design's object: ``{"type": …, "t": …, **data}``."""
         return {"type": self.type, "t": self.t, **self.data}

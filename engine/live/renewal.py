@@ -1,8 +1,8 @@
-"""A running mind that follows the files of its domain.
+"""Running minds that follow the files of their domain.
 
     >>> mind, dropped = renewed(mind, domain)             # what it saw, believed and was committed to stays
 
-`Live` does that for one mind, and tells each mistake once.
+`Live` does that for one mind, or for those of all partners, and tells each mistake once.
 """
 
 from __future__ import annotations
@@ -15,26 +15,29 @@ from casper.engine.collaboration.supervisor import Commitment, Supervisor
 from casper.engine.domain.domain import Domain
 from casper.engine.domain.relations import SHARING_NAMES
 from casper.engine.domain.reload import Dropped, current_fingerprint, reloaded, replayed
+from casper.engine.live.partners import Partners
 from casper.engine.mind import Mind
 from casper.engine.reading.underway import Underway
+from casper.engine.verification.history import History
 from casper.engine.verification.verification import Verifier
 from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 
 
-def renewed(mind: Mind, domain: Domain) -> tuple[Mind, tuple[Dropped, ...]]:
+def renewed(mind: Mind, domain: Domain, history: History | None = None) -> tuple[Mind, tuple[Dropped, ...]]:
     """A mind for the domain that remembers what another one saw, believed and was committed to.
 
     Perception goes on where it was, unless its own facts (bands, settings, movements, …) have changed: then it starts
-    afresh, but for where things are. A commitment that still stands keeps its time.
+    afresh, but for where things are. A commitment that still stands keeps its time. ``history`` is what was done, where
+    somebody else has seen to it that it is valid still; None: the mind's own is judged again.
 
     Raises:
         CasperError: the domain lacks what perception needs, or a setting is wrong; the old mind is as good as before.
     """
-    fresh = mind.like(domain)
+    fresh = mind.like(domain, history=history)
     _keep_perception(mind, fresh)
-    refused = _keep_history(mind.verifier, fresh.verifier)
+    refused = _keep_history(mind.verifier, fresh.verifier) if history is None else ()
     fresh.course.rows, fresh.course.predicted = mind.course.rows, mind.course.predicted
     dropped: list[Dropped] = []
     for episode in (*mind.course.helped, mind.course.current):
@@ -43,6 +46,23 @@ def renewed(mind: Mind, domain: Domain) -> tuple[Mind, tuple[Dropped, ...]]:
         dropped += lost
     known = {d.observed for d in dropped}
     return fresh, (*dropped, *(d for d in refused if d.observed not in known))
+
+
+def renewed_partners(partners: Partners, domain: Domain) -> tuple[Partners, tuple[Dropped, ...]]:
+    """As `renewed`, for all partners; one whom the domain has no more is forgotten.
+
+    Raises:
+        CasperError: as `renewed`.
+    """
+    first, dropped = renewed(partners.first, domain)
+    fresh = Partners(domain, **partners.choices)
+    fresh.first, fresh.minds, fresh.strangers = first, {first.partner: first}, partners.strangers
+    for name, mind in partners.minds.items():
+        if mind is not partners.first and name in domain.partners and name != first.partner:
+            again, lost = renewed(mind, domain, first.history)
+            fresh.add(again)
+            dropped += lost
+    return fresh, dropped
 
 
 def _renewed_episode(episode: Underway, fresh: Mind) -> tuple[Underway, list[Dropped]]:
@@ -98,9 +118,9 @@ def _keep_history(before: Verifier | None, now: Verifier | None) -> tuple[Droppe
 
 @dataclass
 class Live:
-    """A mind that follows the files of its domain: ask `refresh` as often as you like, between any two steps."""
+    """Minds that follow the files of their domain: ask `refresh` as often as you like, between any two steps."""
 
-    mind: Mind
+    mind: Mind | Partners
     _told: str = ""  # the state of the files whose mistake was told last
 
     def refresh(self) -> tuple[str, ...]:
@@ -113,9 +133,16 @@ class Live:
         if not domain.fingerprint or now in (domain.fingerprint, self._told):
             return ()
         try:
-            self.mind, dropped = renewed(self.mind, reloaded(domain))
+            dropped = self._renew(reloaded(domain))
         except CasperError as mistake:
             self._told = now
             return (f"the changed domain is not taken: {mistake}",)
         self._told = ""
         return ("the domain was read anew", *map(str, dropped))
+
+    def _renew(self, domain: Domain) -> tuple[Dropped, ...]:
+        if isinstance(self.mind, Partners):
+            self.mind, dropped = renewed_partners(self.mind, domain)
+        else:
+            self.mind, dropped = renewed(self.mind, domain)
+        return dropped

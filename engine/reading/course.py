@@ -13,7 +13,7 @@ What had been announced for a goal that is given up is withdrawn before anything
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from casper.engine.collaboration.supervisor import Supervisor
@@ -26,7 +26,7 @@ from casper.kb.errors import CasperError
 from casper.kb.terms.terms import Compound
 
 MOST_ROWS = 10_000  # closed episodes whose row is kept for the summary
-MOST_HELPED = 20  # episodes of which only the robot's part is left; then the oldest is unclear
+MOST_HELPED = 8  # episodes of which only the robot's part is left; then the oldest is unclear
 
 
 class Course:
@@ -37,6 +37,7 @@ class Course:
         robot: who helps; None watches only.
         fresh: makes a reading in which nothing was observed.
         segments: says where an action belongs; `BySight` when None.
+        others: the courses of the other partners in view, whose goals an action may serve when it fits there only.
         stops: an action that fits nothing raises instead of being left out.
     """
 
@@ -46,9 +47,10 @@ class Course:
         robot: str | None,
         fresh: Callable[[], Reading],
         segments: Segments | None = None,
+        others: Callable[[], Iterable[Course]] = tuple,
         stops: bool = False,
     ) -> None:
-        self.partner, self.robot, self.stops = partner, robot, stops
+        self.partner, self.robot, self.others, self.stops = partner, robot, others, stops
         self._fresh = fresh
         self.segments: Segments = segments or BySight(fresh)
         self.current = self._opened()
@@ -64,6 +66,11 @@ class Course:
     def supervisors(self) -> tuple[Supervisor, ...]:
         """Of all episodes that are open, the longest open first."""
         return tuple(episode.supervisor for episode in (*self.helped, self.current))
+
+    @property
+    def open_episodes(self) -> tuple[Underway, ...]:
+        """Those in which something was seen, the one under way first."""
+        return tuple(episode for episode in (self.current, *reversed(self.helped)) if episode.begun is not None)
 
     @property
     def committed(self) -> Supervisor | None:
@@ -83,9 +90,14 @@ class Course:
         Raises:
             CasperError: it fits nothing, and the course was told to stop there.
         """
+        return _about(self.partner, self._read(observation, t))
+
+    def _read(self, observation: Observation, t: float) -> Iterator[Event]:
         if self.current.begun is None and not self.current.reading.observations:
             self.current = self._opened()  # what was done since the last one closed is known to it
-        placed = self.segments.place(observation, self.current, self.helped)
+        theirs = {id(e): course for course in self.others() for e in course.open_episodes}
+        elsewhere = [e for course in self.others() for e in course.open_episodes]
+        placed = self.segments.place(observation, self.current, self.helped, elsewhere)
         if isinstance(placed, LeftOut):
             if self.stops:
                 raise CasperError(f"{observation} {placed.because}".replace(" and is left out", ""))
@@ -95,16 +107,21 @@ class Course:
             yield from self._turn(observation, placed.because, t)
             self.current.reading.observe(observation)
         episode = self.current if isinstance(placed, Begins) else placed.episode
-        yield from self._taken(episode, t)
+        owner = theirs.get(id(episode))
+        yield from self._taken(episode, t) if owner is None else owner.helped_by(self.partner, episode, t)
+
+    def helped_by(self, other: str, episode: Underway, t: float) -> Iterator[Event]:
+        """An episode has taken in an action that another partner did: its events are about this one, ``by`` them."""
+        for event in self._taken(episode, t):
+            yield Event(event.type, event.t, {**event.about(self.partner).data, "by": other})
 
     def did(self, action: Compound, t: float) -> Iterator[Event]:
         """The robot has done an action that it had announced; its episode is over with the last of them."""
         episode = self._whose(action)
-        if episode is None:
-            return
-        episode.supervisor.did(action)
-        if not episode.supervisor.left:
-            yield from self._close(episode, FINISHED, t)
+        if episode is not None:
+            episode.supervisor.did(action)
+            if not episode.supervisor.left:
+                yield from self._close(episode, FINISHED, t)
 
     def failed(self, action: Compound, t: float) -> Iterator[Event]:
         """The robot could not do an action that it had announced, and gives its part up."""
@@ -155,3 +172,7 @@ class Course:
     def _whose(self, action: Compound) -> Underway | None:
         """The episode for which the robot has announced an action and not done it yet, the longest open first."""
         return next((e for e in (*self.helped, self.current) if action in e.supervisor.left), None)
+
+
+def _about(partner: str, events: Iterable[Event]) -> Iterator[Event]:
+    return (event.about(partner) for event in events)

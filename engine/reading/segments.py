@@ -4,6 +4,7 @@
 
 * what fits the episode under way goes on with it; what is a step that the partner had left to the robot, with that one;
 * what fits neither, and is the first step of a goal, begins a new episode;
+* what fits only what another partner is doing is a step of that;
 * what repeats a step of the episode that has just closed, and begins nothing, is left out, as is what fits nothing.
 """
 
@@ -49,13 +50,16 @@ LONGEST = 1000  # actions of one episode, needless ones among them; then another
 class Segments(Protocol):
     """Says of each action where it belongs."""
 
-    def place(self, seen: Seen, current: Underway, helped: Sequence[Underway]) -> Placed:
+    def place(
+        self, seen: Seen, current: Underway, helped: Sequence[Underway], others: Sequence[Underway] = ()
+    ) -> Placed:
         """Where the partner's next action belongs.
 
         Args:
             seen: the action.
             current: the episode under way, perhaps one without any action yet.
             helped: those of which only the robot's part is left, oldest first.
+            others: the open episodes of other partners.
         """
 
     def closed(self, episode: Underway) -> None:
@@ -77,7 +81,9 @@ class BySight:
         """Its steps may be seen once more."""
         self._last = episode
 
-    def place(self, seen: Seen, current: Underway, helped: Sequence[Underway]) -> Placed:
+    def place(
+        self, seen: Seen, current: Underway, helped: Sequence[Underway], others: Sequence[Underway] = ()
+    ) -> Placed:
         """See `Segments`."""
         is_open = bool(current.reading.observations)
         refusals = []
@@ -88,6 +94,9 @@ class BySight:
             refusals.append(refusal)
         if is_beginning(self._fresh(), seen):
             return Begins(_because(refusals[0], current) if is_open else "")
+        for episode in others:
+            if _refusal(seen, episode) is None:
+                return GoesOn(episode)
         if is_open:
             return self._odd(seen, current, refusals[0])
         if self._last is not None and self._last.contains(seen):

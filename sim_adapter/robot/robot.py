@@ -86,8 +86,9 @@ class Robot(Worker):
         What the robot holds then is brought back to where it took it from.
         """
         self.queue.drop(steps)
-        if self.queue.current in steps and not self._ending:
-            self._ending, self._skill = True, self._end(self.queue.current)
+        current = self.queue.current
+        if current is not None and current in steps and not self._ending:
+            self._ending, self._skill = True, self._end(current)
 
     def tick(self) -> None:
         """One control step."""
