@@ -25,6 +25,7 @@ from casper.engine.perception.tracking import Tracker, tracker_settings
 from casper.engine.perception.world import WorldState
 from casper.engine.reading.course import Course
 from casper.engine.reading.reading import Reading
+from casper.engine.reading.segments import Segments
 from casper.engine.verification.history import History, history_settings
 from casper.engine.verification.observation import Observation
 from casper.engine.verification.verification import Statement, Verifier
@@ -46,6 +47,7 @@ class Mind:
         stops: an action that fits no plan any more ends it; by default it is reported and left out.
         partner: who is watched; None: the domain's `partner`.
         history: what was done so far today, which all minds of one world share; None: nothing.
+        segments: makes what says which episode an action belongs to (`engine.reading.course`); None: `BySight`.
 
     Raises:
         DomainError: the domain lacks what perception needs (movements, transitions, …), a setting is wrong, or names
@@ -65,12 +67,14 @@ class Mind:
         stops: bool = False,
         partner: str | None = None,
         history: History | None = None,
+        segments: Callable[[str, Callable[[], Reading]], Segments] | None = None,
     ) -> None:
         check_agents(domain.kb)
         rows = domain.kb.rows
         self.domain, self.partner = domain, partner or domain.partner
         choices: dict[str, Any] = {"verification": verification, "policy": policy, "noise": noise, "goals": goals}
-        self.like: Callable[..., Mind] = partial(Mind, **choices, helps=helps, stops=stops, partner=partner)
+        rest: dict[str, Any] = {"helps": helps, "stops": stops, "partner": partner, "segments": segments}
+        self.like: Callable[..., Mind] = partial(Mind, **choices, **rest)
         self.tracker = Tracker(tracker_settings(rows))
         self.perception = Perception(perception_settings(rows), self.partner)
         self.focus = FocusEstimator(focus_settings(rows))
@@ -81,7 +85,7 @@ class Mind:
         self.verifier = Verifier(domain.kb, self.history) if verification and domain.verifies else None
         self._earlier: Sequence[Compound] = ()  # what was done before the last action, as far as rules look back
         self._fresh = partial(domain.reading, **choices, partner=self.partner)
-        self.course = Course(self.partner, domain.robot if helps else None, self._begun, stops=stops)
+        self.course = Course(self.partner, domain.robot if helps else None, self._begun, segments, stops=stops)
         self._known_actions = {name for name, _ in domain.library.actions}
         self._refused: str | None = None  # the statement that was refused last: its verdict is told once
         self._lost: Compound | None = None  # what was told last of what is forgotten

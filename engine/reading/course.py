@@ -36,7 +36,7 @@ class Course:
         partner: whose they are.
         robot: who helps; None watches only.
         fresh: makes a reading in which nothing was observed.
-        segments: says where an action belongs; `BySight` when None.
+        segments: makes what says where an action belongs, of ``partner`` and ``fresh``; `BySight` when None.
         others: the courses of the other partners in view, whose goals an action may serve when it fits there only.
         stops: an action that fits nothing raises instead of being left out.
     """
@@ -46,13 +46,13 @@ class Course:
         partner: str,
         robot: str | None,
         fresh: Callable[[], Reading],
-        segments: Segments | None = None,
+        segments: Callable[[str, Callable[[], Reading]], Segments] | None = None,
         others: Callable[[], Iterable[Course]] = tuple,
         stops: bool = False,
     ) -> None:
         self.partner, self.robot, self.others, self.stops = partner, robot, others, stops
         self._fresh = fresh
-        self.segments: Segments = segments or BySight(fresh)
+        self.segments: Segments = BySight(fresh) if segments is None else segments(partner, fresh)
         self.current = self._opened()
         self.helped: list[Underway] = []
         self.rows: deque[dict[str, Any]] = deque(maxlen=MOST_ROWS)
@@ -97,7 +97,7 @@ class Course:
             self.current = self._opened()  # what was done since the last one closed is known to it
         theirs = {id(e): course for course in self.others() for e in course.open_episodes}
         elsewhere = [e for course in self.others() for e in course.open_episodes]
-        placed = self.segments.place(observation, self.current, self.helped, elsewhere)
+        placed = self.segments.place(observation, self.current, self.helped, elsewhere, t)
         if isinstance(placed, LeftOut):
             if self.stops:
                 raise CasperError(f"{observation} {placed.because}".replace(" and is left out", ""))
@@ -105,7 +105,10 @@ class Course:
             return
         if isinstance(placed, Begins):
             yield from self._turn(observation, placed.because, t)
-            self.current.reading.observe(observation)
+            if placed.reading is None:
+                self.current.reading.observe(observation)
+            else:
+                self.current.read_anew(placed.reading, set(placed.numbers))
         episode = self.current if isinstance(placed, Begins) else placed.episode
         owner = theirs.get(id(episode))
         yield from self._taken(episode, t) if owner is None else owner.helped_by(self.partner, episode, t)
@@ -117,6 +120,7 @@ class Course:
 
     def did(self, action: Compound, t: float) -> Iterator[Event]:
         """The robot has done an action that it had announced; its episode is over with the last of them."""
+        self.segments.did(action, self.robot or "", t)
         episode = self._whose(action)
         if episode is not None:
             episode.supervisor.did(action)

@@ -18,6 +18,7 @@ from casper.engine.reading.printing import rejected_text
 from casper.engine.reading.reading import Reading
 from casper.engine.reading.underway import Underway
 from casper.engine.verification.observation import Seen
+from casper.kb.terms.terms import Compound
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,9 +30,15 @@ class GoesOn:
 
 @dataclass(frozen=True, slots=True)
 class Begins:
-    """A new episode begins with it, since it does not belong to the one under way."""
+    """A new episode begins with it, since it does not belong to the one under way.
+
+    ``reading`` has taken it in, perhaps with what was seen of the goal before; None: the new episode's reading has yet to
+    do so. ``numbers`` are those of its observations since the day began, where somebody counts.
+    """
 
     because: str
+    reading: Reading | None = None
+    numbers: frozenset[int] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +58,12 @@ class Segments(Protocol):
     """Says of each action where it belongs."""
 
     def place(
-        self, seen: Seen, current: Underway, helped: Sequence[Underway], others: Sequence[Underway] = ()
+        self,
+        seen: Seen,
+        current: Underway,
+        helped: Sequence[Underway],
+        others: Sequence[Underway] = (),
+        t: float | None = None,
     ) -> Placed:
         """Where the partner's next action belongs.
 
@@ -60,10 +72,14 @@ class Segments(Protocol):
             current: the episode under way, perhaps one without any action yet.
             helped: those of which only the robot's part is left, oldest first.
             others: the open episodes of other partners.
+            t: when, in seconds.
         """
 
     def closed(self, episode: Underway) -> None:
         """Told when an episode is over."""
+
+    def did(self, action: Compound, robot: str, t: float) -> None:
+        """Told what the robot did of its part."""
 
 
 class BySight:
@@ -81,27 +97,35 @@ class BySight:
         """Its steps may be seen once more."""
         self._last = episode
 
+    def did(self, action: Compound, robot: str, t: float) -> None:
+        """Of no matter to what is seen next."""
+
     def place(
-        self, seen: Seen, current: Underway, helped: Sequence[Underway], others: Sequence[Underway] = ()
+        self,
+        seen: Seen,
+        current: Underway,
+        helped: Sequence[Underway],
+        others: Sequence[Underway] = (),
+        t: float | None = None,
     ) -> Placed:
         """See `Segments`."""
         is_open = bool(current.reading.observations)
         refusals = []
         for episode in ([current] if is_open else []) + list(reversed(helped)):
-            refusal = _refusal(seen, episode)
+            refusal = refusal_of(seen, episode)
             if refusal is None:
                 return GoesOn(episode)
             refusals.append(refusal)
         if is_beginning(self._fresh(), seen):
-            return Begins(_because(refusals[0], current) if is_open else "")
+            return Begins(because_of(refusals[0], current) if is_open else "")
         for episode in others:
-            if _refusal(seen, episode) is None:
+            if refusal_of(seen, episode) is None:
                 return GoesOn(episode)
         if is_open:
             return self._odd(seen, current, refusals[0])
         if self._last is not None and self._last.contains(seen):
             return LeftOut(f"is left out: {self._last.goal}, which has it, is over")
-        refusal = _refusal(seen, current)
+        refusal = refusal_of(seen, current)
         return GoesOn(current) if refusal is None else _left_out(refusal)
 
     def _odd(self, seen: Seen, current: Underway, refusal: Refusal) -> Placed:
@@ -121,7 +145,7 @@ def is_beginning(reading: Reading, seen: Seen) -> bool:
     return first is not None and not first.missed and not first.needless
 
 
-def _refusal(seen: Seen, episode: Underway) -> Refusal | None:
+def refusal_of(seen: Seen, episode: Underway) -> Refusal | None:
     """Why the episode does not take the action as a step; None when it does, and has."""
     reading = episode.reading
     reading.observe(seen)
@@ -133,7 +157,7 @@ def _refusal(seen: Seen, episode: Underway) -> Refusal | None:
     return refusal
 
 
-def _because(refusal: Refusal, episode: Underway) -> str:
+def because_of(refusal: Refusal, episode: Underway) -> str:
     """Why the episode is over, as far as its own goal says."""
     goal = episode.goal or ""
     reasons = ", ".join(refusal.get(goal, ())) or rejected_text(refusal)

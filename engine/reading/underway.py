@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from casper.engine.collaboration.supervisor import Supervisor
@@ -24,6 +24,11 @@ class Underway:
     supervisor: Supervisor
     begun: float | None = None
     last: float = 0.0
+    numbers: set[int] = field(default_factory=set)  # of its observations since the day began, where somebody counts
+
+    def read_anew(self, reading: Reading, numbers: set[int]) -> None:
+        """Other observations belong to it than was thought; what the supervisor holds to stays."""
+        self.reading, self.supervisor.reading, self.numbers = reading, reading, numbers
 
     @property
     def goal(self) -> str | None:
