@@ -32,8 +32,8 @@ class GoesOn:
 class Begins:
     """A new episode begins with it, since it does not belong to the one under way.
 
-    ``reading`` has taken it in, perhaps with what was seen of the goal before; None: the new episode's reading has yet to
-    do so. ``numbers`` are those of its observations since the day began, where somebody counts.
+    ``reading`` has taken it in, perhaps with what was seen of the goal before; None: the new episode's reading has yet
+    to do so. ``numbers`` are those of its observations since the day began, where somebody counts.
     """
 
     because: str
