@@ -166,12 +166,14 @@ class Domain:
         """Readings in which nothing was observed, by their options and the state of the knowledge base."""
         return {}
 
-    def _matcher(self, verification: bool, partner: str, earlier: Sequence[Compound]) -> Matcher:
+    def _matcher(
+        self, verification: bool, partner: str | None = None, earlier: Sequence[Compound] = ()
+    ) -> Matcher:
         if not verification:
             return NameMatcher(self.library.ways)
         if not self.verifies:
             return ParameterMatcher(self.library.ways)
-        return VerifyingMatcher(self.library.ways, self.kb, partner, earlier)
+        return VerifyingMatcher(self.library.ways, self.kb, partner or self.partner, earlier)
 
     def capability(
         self,
