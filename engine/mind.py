@@ -1,17 +1,20 @@
 """The mind: world states in, events out. One step of data, from left to right (docs/architecture.md):
 
     world state -> QSRs -> target, destination -> movement -> action -> verdict -> explanations -> goal -> plan
+
+It never ends: what a partner does is read episode after episode (`engine.reading.course`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
 
 from casper.engine.actions.actions import action_recogniser, context_table, contextualise
 from casper.engine.actions.prediction import Prediction
 from casper.engine.collaboration.supervisor import Supervisor
+from casper.engine.domain.agents import check_agents
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.events.printing import plan_lines, prediction_lines
@@ -20,13 +23,15 @@ from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, perception_settings
 from casper.engine.perception.tracking import Tracker, tracker_settings
 from casper.engine.perception.world import WorldState
-from casper.engine.reading.printing import rejected_text
+from casper.engine.reading.course import Course
+from casper.engine.reading.reading import Reading
+from casper.engine.reading.segments import Segments
+from casper.engine.verification.history import History, history_settings
 from casper.engine.verification.observation import Observation
 from casper.engine.verification.verification import Statement, Verifier
-from casper.kb.errors import CasperError
 from casper.kb.reasons.validity import Verdict
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import as_term
+from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.lines import Line, Span, line, one_line, text_of
 
 
@@ -40,9 +45,13 @@ class Mind:
         helps: False predicts without planning to help.
         noise, goals: as for `Domain.reading`: needless actions at a price, several goals at once.
         stops: an action that fits no plan any more ends it; by default it is reported and left out.
+        partner: who is watched; None: the domain's `partner`.
+        history: what was done so far today, which all minds of one world share; None: nothing.
+        segments: makes what says which episode an action belongs to (`engine.reading.course`); None: `BySight`.
 
     Raises:
-        DomainError: the domain lacks what perception needs (movements, transitions, …), or a setting is wrong.
+        DomainError: the domain lacks what perception needs (movements, transitions, …), a setting is wrong, or names
+            somebody who is not in the world.
         CasperError: a price or a number of goals that is none.
     """
 
@@ -56,22 +65,48 @@ class Mind:
         noise: float | None = None,
         goals: int = 1,
         stops: bool = False,
+        partner: str | None = None,
+        history: History | None = None,
+        segments: Callable[[str, Callable[[], Reading]], Segments] | None = None,
     ) -> None:
+        check_agents(domain.kb)
         rows = domain.kb.rows
-        self.domain, self.stops = domain, stops
-        choices: dict[str, Any] = {"verification": verification, "policy": policy, "helps": helps}
-        self.like: Callable[[Domain], Mind] = partial(Mind, **choices, noise=noise, goals=goals, stops=stops)
+        self.domain, self.partner = domain, partner or domain.partner
+        choices: dict[str, Any] = {"verification": verification, "policy": policy, "noise": noise, "goals": goals}
+        rest: dict[str, Any] = {"helps": helps, "stops": stops, "partner": partner, "segments": segments}
+        self.like: Callable[..., Mind] = partial(Mind, **choices, **rest)
         self.tracker = Tracker(tracker_settings(rows))
-        self.perception = Perception(perception_settings(rows), domain.partner)
+        self.perception = Perception(perception_settings(rows), self.partner)
         self.focus = FocusEstimator(focus_settings(rows))
         self.movements = movement_classifier(rows)
         self.actions = action_recogniser(rows)
         self.contexts = context_table(rows)
-        self.verifier = Verifier(domain.kb) if verification and domain.verifies else None
-        self.reading = domain.reading(policy, verification, noise, goals)
-        self.supervisor = Supervisor(self.reading, domain.robot if helps else None)
+        self.history = history if history is not None else History(history_settings(rows).remembered)
+        self.verifier = Verifier(domain.kb, self.history) if verification and domain.verifies else None
+        self._earlier: Sequence[Compound] = ()  # what was done before the last action, as far as rules look back
+        self._fresh = partial(domain.reading, **choices, partner=self.partner)
+        self.course = Course(self.partner, domain.robot if helps else None, self._begun, segments, stops=stops)
         self._known_actions = {name for name, _ in domain.library.actions}
         self._refused: str | None = None  # the statement that was refused last: its verdict is told once
+        self._lost: Compound | None = None  # what was told last of what is forgotten
+
+    def _begun(self) -> Reading:
+        """A reading in which nothing was observed, after what was done earlier."""
+        return self._fresh(earlier=self._earlier)
+
+    def reading_after(self, t: float) -> Reading:
+        """A reading in which nothing was observed, after what was done before that time."""
+        return self._fresh(earlier=[statement for statement, seconds in self.history if seconds < t])
+
+    @property
+    def reading(self) -> Reading:
+        """Of the episode under way."""
+        return self.course.current.reading
+
+    @property
+    def supervisor(self) -> Supervisor:
+        """Of the episode under way."""
+        return self.course.current.supervisor
 
     def update(self, world: WorldState) -> list[Event]:
         """Take in one world state; what was seen, believed, refused, concluded and planned.
@@ -81,28 +116,48 @@ class Mind:
                 and the mind can go on with the next one.
             CasperError: the mind was told to stop at an action that fits no plan, and there was one.
         """
-        relations = self.perception.update(self.tracker.update(world))
+        return self.notice(self.tracker.update(world))
+
+    def notice(self, world: WorldState) -> list[Event]:
+        """As `update`, of a world state that a tracker has been through."""
+        relations = self.perception.update(world)
         if relations is None:
             return []
         focus = self.focus.update(relations)
         movement = self.movements.update(relations, focus)
-        events = [_focus_event(focus), _movement_event(movement)]
+        events = [event.about(self.partner) for event in (_focus_event(focus), _movement_event(movement))]
         prediction = self.actions.update(movement)
         if prediction is not None:
-            events.extend(self._consider(prediction, focus))
+            events += [event.about(self.partner) for event in self._consider(prediction, focus)]
         return events
 
+    def did(self, action: Compound, t: float) -> list[Event]:
+        """The robot has done an action of its part (without the agent): it happened, and its episode may be over."""
+        self.history.remember(Compound((action.functor, self.domain.robot, *action.args)), t)
+        return list(self.course.did(action, t))
+
+    def failed(self, action: Compound, t: float) -> list[Event]:
+        """The robot could not do an action of its part: its episode is over."""
+        return list(self.course.failed(action, t))
+
+    def end(self, t: float) -> list[Event]:
+        """Nobody watches any more: the episodes that are still open are over."""
+        return list(self.course.end(t))
+
     def summary(self, goal: str | None = None, seed: int | None = None) -> dict[str, Any]:
-        """The data of a ``summary`` event; ``goal`` is what the partner really wanted, where somebody knows."""
-        figures = self.supervisor.summary()
+        """The data of a ``summary`` event; ``goal`` is what the partner really wanted, where somebody knows.
+
+        The figures are of the goal that was committed to last, ``episodes`` has a row for each that is over.
+        """
+        figures = (self.course.committed or self.supervisor).summary()
         correct = None if goal is None else figures["predicted"] == goal
         nobody: dict[str, Any] = {"actions": [], "done": False}
         rest = {"robot": nobody, "verification": self.verifier is not None, "seed": seed}
-        return {"goal": goal, "correct": correct, **figures, **rest}
+        return {"goal": goal, "correct": correct, **figures, **rest, "episodes": list(self.course.rows)}
 
     def lines(self) -> Iterator[Line]:
         """What a person is shown: who watches whom, the reading, the goal believed in, and the robot's part."""
-        yield line(Span(self.domain.name, "strong"), f": {self.domain.robot} watches {self.domain.partner}")
+        yield line(Span(self.domain.name, "strong"), f": {self.domain.robot} watches {self.partner}")
         yield from self.reading.lines()
         made = self.supervisor.commitment
         if made is not None:
@@ -118,14 +173,14 @@ class Mind:
         return text_of(self.lines())
 
     def __repr__(self) -> str:
-        return one_line(f"Mind that watches {self.domain.partner} in {self.domain.name}: {self.reading!r}")
+        return one_line(f"Mind that watches {self.partner} in {self.domain.name}: {self.reading!r}")
 
     def _consider(self, prediction: Prediction, focus: Focus) -> Iterator[Event]:
         """An action seems to have happened: put it into context, verify it, and pass it on to the reading."""
         action = contextualise(prediction.action, focus.destination, self.contexts)
         if action is None or focus.target is None:
             return  # not yet known what it means; the prediction stands, and the next step may tell
-        statement = Statement(prediction.t, self.domain.partner, action, focus.target, focus.destination)
+        statement = Statement(prediction.t, self.partner, action, focus.target, focus.destination)
         if str(statement) == self._refused:
             return
         yield Event("action", prediction.t, {"statement": str(statement), "score": prediction.score})
@@ -136,6 +191,7 @@ class Mind:
             if not verdict.valid:
                 self._refused = str(statement)
                 return
+            self._earlier = tuple(statement for statement, _ in self.verifier.looked_at)
             observation = self.verifier.accept(verdict, prediction.t)
         else:
             observation = Observation(action)
@@ -147,17 +203,16 @@ class Mind:
         if observation.action not in self._known_actions:
             yield Event("warning", t, {"message": f"{observation} is in no plan; it explains nothing"})
             return
-        self.reading.observe(observation)
-        if self.reading.count == 0:
-            reasons = self.reading.rejected
-            self.reading.undo()
-            told = rejected_text(reasons)
-            if self.stops:
-                raise CasperError(f"{observation} fits no plan any more ({told})")
-            yield Event("warning", t, {"message": f"{observation} fits no plan any more and is left out ({told})"})
-            return
-        yield Event("reading", t, self.reading.to_json())
-        yield from self.supervisor.update(t)
+        yield from self._forgotten(t)
+        yield from self.course.read(observation, t)
+
+    def _forgotten(self, t: float) -> Iterator[Event]:
+        """What rules on did/2 no longer see is said."""
+        lost = self.history.lost
+        if lost is not None and lost != self._lost and self.domain.kb.depends_on_history:
+            self._lost = lost
+            room = f"setting(verification, remembered, {self.history.most}) leaves no room for it"
+            yield Event("warning", t, {"message": f"did/2 no longer has {term_text(as_term(lost))}: {room}"})
 
 
 def _focus_event(focus: Focus) -> Event:

@@ -21,6 +21,7 @@ from casper.sim_adapter.room.placement import is_placed
 from casper.sim_adapter.room.scene import Point, Scene
 
 APART = 0.1  # metres kept between two agents beside their radii
+HOME = 0.15  # metres from where it began within which an object is at its place
 GLANCE = 5  # control steps between two looks after the partner
 
 
@@ -88,8 +89,27 @@ class Simulation:
         )
 
     def remove(self, thing: str) -> None:
-        """Take a movable object out of the world (eaten up, say); it is absent from all later world states."""
+        """Take a movable object out of the world (eaten up, say): no world state has it until it is put back."""
         self.physics.remove(thing)
+
+    def put_back(self, thing: str) -> bool:
+        """Put a movable object where it was at the start, unless somebody holds it or its place is taken.
+
+        Returns whether it is there now. What was removed is there anew; what stands in a dish stays behind.
+        """
+        first, where = self.scene.thing(thing), self.physics.positions()
+        at = where.get(thing)
+        if at is not None and math.dist(at, (first.x, first.y, at[2])) < HOME:
+            return True
+        taken = any(
+            math.dist(spot[:2], (first.x, first.y)) < first.radius + self.scene.thing(other).radius
+            for other, spot in where.items()
+            if other != thing and self.scene.thing(other).movable
+        )
+        if taken or self.physics.holder(thing) is not None:
+            return False
+        self.physics.put_back(thing)
+        return True
 
     def _robot_discs(self) -> list[Disc]:
         x, y, _ = self.robot.pose

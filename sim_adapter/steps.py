@@ -51,12 +51,13 @@ class StepFailed(Exception):
 
 @dataclass(slots=True)
 class StepQueue:
-    """Steps waiting, the one under way, those finished and those that failed (with the reason)."""
+    """Steps waiting, the one under way, those finished, those that failed (with the reason), those ended undone."""
 
     waiting: deque[Step] = field(default_factory=deque)
     current: Step | None = None
     done: list[Step] = field(default_factory=list)
     failed: list[tuple[Step, str]] = field(default_factory=list)
+    ended: list[Step] = field(default_factory=list)
 
     @property
     def idle(self) -> bool:
@@ -80,6 +81,13 @@ class StepQueue:
             self.done.append(self.current)
         else:
             self.failed.append((self.current, reason))
+        self.current = None
+
+
+    def end(self) -> None:
+        """The current step was ended before it was done."""
+        if self.current is not None:
+            self.ended.append(self.current)
         self.current = None
 
 

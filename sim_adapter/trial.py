@@ -1,32 +1,40 @@
-"""A trial of the paper's experiment (section V-E): a partner pursues a goal, the mind watches, the robot helps.
+"""A trial of the paper's experiment (section V-E), or a whole day: a partner pursues goals, the mind watches, the robot
+helps.
 
     partner (script) -> physics -> sensor -> world state -> mind -> events -> robot (physics)
 """
 
 from __future__ import annotations
 
-import random
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import Any
 
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.mind import Mind
-from casper.engine.settings import check_seed, require
+from casper.engine.settings import check_seed
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, as_term
+from casper.kb.terms.terms import as_term
+from casper.sim_adapter.helping import Helper
+from casper.sim_adapter.partner import Partner, check_bodies, goals_of_a_day
 from casper.sim_adapter.room.scene import scene_from
-from casper.sim_adapter.script import ScriptedAction, script_for, step_for
+from casper.sim_adapter.script import ScriptedAction
 from casper.sim_adapter.simulation import Simulation
-from casper.sim_adapter.steps import Step
 
-LONGEST = 600.0  # simulated seconds after which a trial is given up
+LONGEST = 600.0  # simulated seconds a goal after which a trial is given up
 AFTERWARDS = 6.0  # simulated seconds watched after the partner is done, so that the last action can be recognised
 
 
 @dataclass(frozen=True, slots=True)
 class TrialSettings:
-    """What a trial is about; the goal is drawn from the seed when None."""
+    """What a trial is about.
+
+    ``goal`` is a goal's label, or several with commas, pursued one after the other; what is not named is drawn from the
+    seed. ``goals_in_a_row`` is how many there are in all (None: as many as are named, at least one), ``goals``
+    how many the mind takes to be pursued at once. Who ``changes_mind`` gives the first up for the second after one
+    action.
+    """
 
     goal: str | None = None
     seed: int = 0
@@ -35,6 +43,13 @@ class TrialSettings:
     policy: str = "strict"
     noise: float | None = None
     goals: int = 1
+    goals_in_a_row: int | None = None
+    changes_mind: bool = False
+
+    @property
+    def wanted(self) -> list[str]:
+        """The goals that are named."""
+        return [name.strip() for name in (self.goal or "").split(",") if name.strip()]
 
 
 @dataclass
@@ -42,23 +57,26 @@ class Trial:
     """One run of the experiment; iterate over ``events()`` to carry it out.
 
     Raises:
-        DomainError, PlanError: the domain lacks a scene or goals, the goal is unknown or cannot be acted out, or the
-            seed is no whole number from 0.
+        DomainError, PlanError: the domain lacks a scene or goals, a goal is unknown or cannot be acted out, or the
+            seed or the number of goals is none.
     """
 
     domain: Domain
     settings: TrialSettings
     simulation: Simulation = field(init=False)
     mind: Mind = field(init=False)
+    partner: Partner = field(init=False)
+    helper: Helper = field(init=False)
 
     def __post_init__(self) -> None:
-        goals = self.domain.library.goals
-        check_seed(self.settings.seed)
-        require(bool(goals), f"the domain {self.domain.name} has no goals, so nobody can pursue one; write a plans.pl")
-        self.goal = self.settings.goal or random.Random(self.settings.seed).choice(list(goals))
-        self.script = script_for(self.domain, self.goal)
-        self.simulation = Simulation(scene_from(self.domain.kb.rows), seed=self.settings.seed)
         chosen = self.settings
+        check_seed(chosen.seed)
+        goals = goals_of_a_day(self.domain, chosen.wanted, chosen.goals_in_a_row, chosen.changes_mind, chosen.seed)
+        scene = scene_from(self.domain.kb.rows)
+        check_bodies(self.domain, scene)
+        self.simulation = Simulation(scene, seed=chosen.seed)
+        self.partner = Partner(self.domain, self.simulation, goals, chosen.changes_mind)
+        self.helper = Helper(self.domain, self.simulation)
         self.mind = Mind(
             self.domain,
             verification=chosen.verification,
@@ -67,94 +85,74 @@ class Trial:
             noise=chosen.noise,
             goals=chosen.goals,
         )
-        self.left_to_robot: list[ScriptedAction] = []
-        self.last_action_done: float | None = None  # when the partner finished the last action of their own
-        self._reported = 0
-        self._robot_asked: list[tuple[Compound, Step]] = []
-        self._human_done = 0
-        self._consuming = set(self.domain.kb.rows("consumes", 1))
+
+    @property
+    def goal(self) -> str:
+        """The partner's goal, the first of several."""
+        return self.partner.pursuits[0].goal
+
+    @property
+    def script(self) -> list[ScriptedAction]:
+        """What they would do for it on their own."""
+        return self.partner.pursuits[0].script
 
     def events(self) -> Iterator[Event]:
         """Everything that happens, as it happens; the last event is the ``summary``."""
-        self.simulation.human.do([scripted.step for scripted in self.script])
+        self.partner.begin()
         period, idle_since = self.simulation.scene.sim.period, None
-        while self.simulation.time < LONGEST:
+        while self.simulation.time < LONGEST * len(self.partner.pursuits):
             self.simulation.advance(period)
             now = self.simulation.time
-            for event in self.mind.update(self.simulation.observe()):
-                yield event
-                if event.type == "plan":
-                    self._delegate()
-            yield from self._help(now)
-            self._notice_partner(now)
+            yield from self._watched()
+            yield from self.helper.update([self.mind], now)
+            self.partner.notice(now)
+            self._go_on()
             if not self._is_over():
                 idle_since = None
             elif idle_since is None:
                 idle_since = now
             elif now - idle_since >= AFTERWARDS:
                 break
+        yield from self.mind.end(self.simulation.time)
         yield self._summary()
 
-    # --- the partner -----------------------------------------------------------------------------------------------
-
-    def _delegate(self) -> None:
-        """The robot has announced its part: the partner leaves what they have not begun to it."""
+    def _watched(self) -> Iterator[Event]:
+        """One world state; the partner hears what the robot announces and withdraws."""
+        told = self.mind.update(self.simulation.observe())
+        yield from told
+        types = {event.type for event in told}
         announced = set(self.mind.supervisor.actions)
-        offered = [s for s in self.script if s.action in announced]
-        dropped = self.simulation.human.leave([s.step for s in offered])
-        self.left_to_robot += [s for s in offered if s.step in dropped]
+        if "plan" in types:
+            self.partner.heed(announced)
+        if "withdrawn" in types:
+            self.partner.take_back(announced)
 
-    def _notice_partner(self, now: float) -> None:
-        """Take note of what the partner has finished; what was eaten up is gone (``consumes(Action)``)."""
-        finished = self.simulation.human.done[self._human_done :]
-        self._human_done += len(finished)
-        for scripted in (s for s in self.script if s.step in finished):
-            self.last_action_done = now
-            if (scripted.action.functor,) in self._consuming:
-                self.simulation.remove(scripted.step.target or "")
-
-    # --- the robot -------------------------------------------------------------------------------------------------
-
-    def _help(self, now: float) -> Iterator[Event]:
-        """Send the robot off when its turn has come, and report what it does."""
-        supervisor, robot = self.mind.supervisor, self.simulation.robot
-        if supervisor.ready and not self._robot_asked:
-            self._robot_asked = [(action, step_for(self.domain, action)) for action in supervisor.actions]
-            robot.do([step for _, step in self._robot_asked])
-            for action, _ in self._robot_asked:
-                yield _robot_event(now, action, "asked")
-        for action, _ in self._robot_asked[self._reported : len(robot.done)]:
-            self._reported += 1
-            yield _robot_event(now, action, "done")
-        if robot.failed and self._reported < len(self._robot_asked):
-            step, reason = robot.failed[-1]
-            action = next(a for a, s in self._robot_asked if s == step)
-            self._reported = len(self._robot_asked)
-            yield _robot_event(now, action, "failed", reason)
-
-    @property
-    def robot_done(self) -> bool:
-        """Whether the robot's part is physically finished: every action done, every object resting where it belongs."""
-        asked, robot = self._robot_asked, self.simulation.robot
-        if not asked or robot.failed or len(robot.done) < len(asked):
-            return False
-        return all(self.simulation.rests_in(str(action[1]), str(action[2])) for action, _ in asked)
+    def _go_on(self) -> None:
+        """The partner goes on to the next goal, once the robot needs none of what it is about."""
+        if self.partner.waits and not self.partner.needs(self.helper.things):
+            self.helper.settle()
+            self.partner.begin()
 
     def _is_over(self) -> bool:
-        human, robot = self.simulation.human, self.simulation.robot
-        if not human.idle or not robot.idle:
+        if not self.partner.idle or not self.simulation.robot.idle:
             return False
-        return not self.mind.supervisor.ready or bool(self._robot_asked)
+        return not any(supervisor.ready and supervisor.left for supervisor in self.mind.course.supervisors)
 
     # --- the end ---------------------------------------------------------------------------------------------------
 
     def _summary(self) -> Event:
-        asked = [term_text(as_term(action)) for action, _ in self._robot_asked]
-        data = self.mind.summary(self.goal, self.settings.seed)
-        data["robot"] = {"actions": asked, "done": self.robot_done}
-        return Event("summary", self.simulation.time, {**data, "partner_finished": self.last_action_done})
+        last = self.partner.pursuits[-1].goal
+        data = self.mind.summary(last, self.settings.seed)
+        asked = [term_text(as_term(action)) for action in self.helper.asked]
+        data["robot"] = {"actions": asked, "done": self.helper.robot_done}
+        data |= {**self._day(data), "partner_finished": self.partner.last_action_done}
+        return Event("summary", self.simulation.time, data).about(self.mind.partner)
 
-
-def _robot_event(t: float, action: Compound, status: str, reason: str = "") -> Event:
-    data = {"action": term_text(as_term(action)), "status": status}
-    return Event("robot", t, {**data, "reason": reason} if reason else data)
+    def _day(self, data: dict[str, Any]) -> dict[str, Any]:
+        """Of several goals: which they were, and whether those that were finished, and no others, were read as such."""
+        pursuits = self.partner.pursuits
+        if len(pursuits) == 1:
+            return {}
+        wanted = [pursuit.goal for pursuit in pursuits if not pursuit.given_up]
+        read = [row["goal"] for row in data["episodes"] if row["outcome"] == "finished"]
+        return {"goals": [pursuit.goal for pursuit in pursuits], "correct": sorted(read) == sorted(wanted)}

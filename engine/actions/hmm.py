@@ -7,6 +7,7 @@ step is taken in, since the model itself does what the mode filter does for Ratc
 from __future__ import annotations
 
 import math
+from collections import deque
 from collections.abc import Mapping
 
 from casper.engine.actions.fsm import Fsm
@@ -18,6 +19,7 @@ from casper.kb.errors import DomainError
 
 Emission = Mapping[str, Mapping[str, float]]
 _NEGLIGIBLE = 1e-7
+SHOWN = 100  # movements of the window that is shown: of hours without an action only the last
 
 
 def read_emission(rows: Rows, movements: tuple[str, ...], error: float) -> Emission:
@@ -73,7 +75,7 @@ class HmmRecogniser:
     def reset(self) -> None:
         """Forget everything."""
         self._filter.reset()
-        self._window: list[str] = []
+        self._window: deque[str] = deque(maxlen=SHOWN)
         self._belief = dict(self._model.initial)
         self._t: float | None = None
         self._standing: str | None = None
@@ -96,7 +98,7 @@ class HmmRecogniser:
 
     @property
     def window(self) -> tuple[str, ...]:
-        """The filtered movements since the last accepted action (shown; the belief does not use them)."""
+        """The last filtered movements since the last accepted action (shown; the belief does not use them)."""
         return tuple(self._window)
 
     def update(self, movement: Movement) -> Prediction | None:
@@ -125,7 +127,8 @@ class HmmRecogniser:
             state = self._model.after(after, self._model.states[index].movement)
             belief[state] = belief.get(state, 0.0) + p
         self._belief = belief
-        self._window, self._standing, self._candidate, self._run = [], None, "", 0
+        self._window.clear()
+        self._standing, self._candidate, self._run = None, "", 0
         self._scores = dict.fromkeys(self._fsms, 0.0)
 
     def _confirmed(self) -> str | None:

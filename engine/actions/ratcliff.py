@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import random
+from collections import deque
 from collections.abc import Mapping, Sequence
 from difflib import SequenceMatcher
 
 from casper.engine.actions.fsm import Fsm, likeliest_chain, sampled_chain
 from casper.engine.actions.prediction import ActionSettings, Prediction
 from casper.engine.movements.movements import Movement, MovementFilter
+
+LONGEST = 100  # movements of the window: a longer one resembles no chain, so only its end is kept
 
 
 def similarity(sample: Sequence[str], observed: Sequence[str]) -> float:
@@ -37,7 +40,7 @@ class RatcliffRecogniser:
 
     def accept(self) -> None:
         """Empty the window; a movement that is still going on does not enter it again."""
-        self._window: list[str] = []
+        self._window: deque[str] = deque(maxlen=max(LONGEST, 10 * self.settings.length))
         self._standing: tuple[str, float] | None = None
         self._scores: dict[str, float] = {fsm.action: similarity((), ()) for fsm in self._fsms}
 
@@ -75,7 +78,7 @@ class RatcliffRecogniser:
 
     def _compare(self, sample: Sequence[str]) -> float:
         if self.settings.letters == "own":
-            return similarity(sample, self._window)
+            return similarity(sample, self.window)
         return similarity([name[0] for name in sample], [name[0] for name in self._window])
 
     def _winner(self) -> tuple[str, float] | None:

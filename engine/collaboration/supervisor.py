@@ -1,4 +1,7 @@
-"""The supervisor (paper section III-G): commits to a goal, holds the collaborative plan, and says when to act."""
+"""The supervisor (paper section III-G): commits to a goal, holds the collaborative plan, and says when to act.
+
+What was announced holds until it is done, changed by another ``plan``, or withdrawn: then the robot does not do it.
+"""
 
 from __future__ import annotations
 
@@ -39,6 +42,10 @@ class Reads(Protocol):
     def posterior(self) -> Mapping[str, float]:
         """Each goal's share of all scores."""
 
+    @property
+    def first(self) -> Explanation | Interleaved | None:
+        """The best explanation."""
+
     def best_of(self, goal: str, /) -> Explanation | Interleaved | None:
         """The best explanation of a goal."""
 
@@ -57,12 +64,26 @@ class Supervisor:
         self.commitment: Commitment | None = None
         self.waiting: tuple[Compound, ...] = ()
         self.actions: tuple[Compound, ...] = ()
+        self.done: list[Compound] = []  # of what was announced, by the robot
         self._made: CollaborativePlan | None = None  # the last one that was announced
 
     @property
     def ready(self) -> bool:
         """Whether the robot's turn has come: there is something to do and nothing left to wait for."""
         return bool(self.actions) and not self.waiting
+
+    @property
+    def left(self) -> tuple[Compound, ...]:
+        """What the robot still has to do of what it announced: an action that is there twice is done twice."""
+        left = list(self.actions)
+        for action in self.done:
+            if action in left:
+                left.remove(action)
+        return tuple(left)
+
+    def did(self, action: Compound) -> None:
+        """The robot has done one of the actions it announced."""
+        self.done.append(action)
 
     def update(self, t: float) -> Iterator[Event]:
         """Look at the reading after an observation; yields ``prediction`` and ``plan`` events where things changed."""
@@ -71,6 +92,13 @@ class Supervisor:
             yield from self._commit(goal, t)
         elif self.commitment is not None:
             yield from self._follow(self.commitment, t)
+
+    def withdraw(self, t: float, because: str) -> Iterator[Event]:
+        """Give up what was announced and is not done yet; yields ``withdrawn`` where there is such a thing."""
+        left, made = self.left, self._made
+        self.waiting, self.actions = (), ()
+        if left and made is not None:
+            yield Event("withdrawn", t, {"agent": made.agent, "goal": made.goal, "because": because})
 
     def summary(self) -> dict[str, Any]:
         """The figures of the prediction, at the moment it was made (paper table "results")."""
@@ -92,6 +120,8 @@ class Supervisor:
         if explanation is None:
             return
         plan = self._planned(explanation)
+        if self._made is not None and self._made.goal not in explanation.goals:
+            yield from self.withdraw(t, f"the goal is {goal} by now")
         self.commitment = Commitment(goal, t, explanation, plan, len(self.reading.observations))
         observed = len(explanation.marks)
         data = {"goal": goal, "confidence": explanation.share, "observed": observed, "missed": explanation.missed}
@@ -108,7 +138,10 @@ class Supervisor:
         """The partner went on: wait for less, and leave out what they did themselves. Where they took another way than
         was expected the robot's part is made anew."""
         explanation = self.reading.best_of(commitment.goal)
-        if explanation is None or self.robot is None:
+        if self.robot is None:
+            return
+        if explanation is None:
+            yield from self._doubt(t)
             return
         before, now = _stand(commitment.explanation, commitment.plan), _stand(explanation, commitment.plan)
         if before is not None and now is not None and before.leads_to(now):
@@ -117,6 +150,12 @@ class Supervisor:
             plan = self._planned(explanation)
             self.commitment = replace(commitment, explanation=explanation, plan=plan)
         yield from self._announce(plan, t)
+
+    def _doubt(self, t: float) -> Iterator[Event]:
+        """Nothing speaks for the goal any more, and for no other one alone yet."""
+        first = self.reading.first
+        if self._made is not None and (first is None or self._made.goal not in first.goals):
+            yield from self.withdraw(t, f"what was seen last does not fit {self._made.goal}")
 
     def _announce(self, plan: CollaborativePlan, t: float) -> Iterator[Event]:
         if self._made is None or (plan.waiting, plan.actions) != (self.waiting, self.actions):

@@ -8,12 +8,14 @@ from difflib import get_close_matches
 from typing import Any
 
 from casper.engine.actions.prediction import action_settings
+from casper.engine.domain.agents import strangers
 from casper.engine.domain.relations import SECTIONS
 from casper.engine.movements.movements import movement_classifier
 from casper.engine.perception.focus import focus_settings
 from casper.engine.perception.perception import perception_settings
 from casper.engine.perception.tracking import tracker_settings
 from casper.engine.settings import Rows
+from casper.engine.verification.history import history_settings
 from casper.kb.base import KnowledgeBase
 from casper.kb.checks.finding import Finding, error, warning
 from casper.kb.errors import CasperError, Place
@@ -24,6 +26,7 @@ _STAGES: tuple[tuple[str, int, Callable[[Rows], Any]], ...] = (
     ("setting", 3, tracker_settings),
     ("setting", 3, focus_settings),
     ("setting", 3, action_settings),
+    ("setting", 3, history_settings),
     ("movement", 5, movement_classifier),
 )
 _QUOTED = re.compile(r"(\w+)\((\w+)(?:, (\w+))?")
@@ -37,6 +40,7 @@ def wrong_settings(kb: KnowledgeBase) -> Iterator[Finding]:
             close = get_close_matches(str(section), SECTIONS, n=1)
             hint = f"did you mean {close[0]}?" if close else f"there are {', '.join(SECTIONS)}"
             yield warning(clause.place, f"nothing reads settings of {section}; {hint}")
+    yield from (error(place, sentence) for place, sentence in strangers(kb))
     for name, arity, stage in _STAGES:
         if kb.clauses_of((name, arity)):
             try:

@@ -8,13 +8,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, fields, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from threading import Lock
 from typing import Any
 
+from casper.engine.domain.agents import agent_of, partners_of
 from casper.engine.domain.printing import domain_lines, domain_name
 from casper.engine.explanation.situation import Situation
 from casper.engine.reading.policy import policy_named
@@ -92,18 +93,17 @@ class Domain:
     @property
     def partner(self) -> str:
         """The agent that is watched: ``setting(agents, partner, Name)``, else the first human there is."""
-        return self._agent("partner", "human", "human")
+        return agent_of(self.kb, "partner", "human")
+
+    @property
+    def partners(self) -> tuple[str, ...]:
+        """All who are watched: those of ``setting(agents, partner, Name)``, else every human there is."""
+        return partners_of(self.kb)
 
     @property
     def robot(self) -> str:
         """The agent that helps: ``setting(agents, robot, Name)``, else the first robot there is."""
-        return self._agent("robot", "robot", "robot")
-
-    def _agent(self, role: str, kind: str, otherwise: str) -> str:
-        for section, key, name in self.kb.rows("setting", 3):
-            if (section, key) == ("agents", role):
-                return str(name)
-        return next((str(row[0]) for row in self.kb.rows(kind, 1)), otherwise)
+        return agent_of(self.kb, "robot", "robot")
 
     def reading(
         self,
@@ -113,6 +113,8 @@ class Domain:
         goals: int = 1,
         score: str = "paper",
         budget: int | None = None,
+        partner: str | None = None,
+        earlier: Sequence[Compound] = (),
     ) -> Reading:
         """A fresh reading of a partner; with ``noise`` and ``goals`` left alone it is the paper's.
 
@@ -126,6 +128,8 @@ class Domain:
             score: the name of a score (`engine.recognition.scoring`).
             budget: how many states are kept (None: 20,000; of two goals at once 50,000, of more 3,000). Where there
                 are more, the reading is not exact, and says so.
+            partner: who is read; None: the domain's `partner`.
+            earlier: statements of what was done before, oldest first: did/2 holds of them.
 
         Raises:
             CasperError: no such policy or score, a price or a number of goals that is none, or priors that do not
@@ -134,12 +138,16 @@ class Domain:
         if not self.library.ways:
             raise PlanError(f"the domain {self.name} has no plans to explain anything with; add them in plans.pl")
         Options(noise, goals, budget=budget).check()
-        key = (policy, verification, noise, goals, score, budget, self.kb.changes)
+        known = tuple(earlier) if self.kb.depends_on_history else ()
+        who = partner or self.partner
+        key = (policy, verification, noise, goals, score, budget, who, known, self.kb.changes)
         with self._lock:  # partners may be read in threads of their own
             if key not in self._unread:
                 options = Options(noise, goals, self._priors(), score_named(score), budget)
-                matcher = self._matcher(verification)
-                fresh = Reading(self.library, matcher, policy_named(policy), self.capability, options)
+                matcher = self._matcher(verification, who, known)
+                default = who == self.partner and not known
+                can = self.capability if default else partial(self.capability, partner=who, earlier=known)
+                fresh = Reading(self.library, matcher, policy_named(policy), can, options)
                 if len(self._unread) >= MOST_KEPT or any(other[-1] != key[-1] for other in self._unread):
                     self._unread.clear()
                 self._unread[key] = fresh
@@ -158,18 +166,27 @@ class Domain:
         """Readings in which nothing was observed, by their options and the state of the knowledge base."""
         return {}
 
-    def _matcher(self, verification: bool) -> Matcher:
+    def _matcher(
+        self, verification: bool, partner: str | None = None, earlier: Sequence[Compound] = ()
+    ) -> Matcher:
         if not verification:
             return NameMatcher(self.library.ways)
         if not self.verifies:
             return ParameterMatcher(self.library.ways)
-        return VerifyingMatcher(self.library.ways, self.kb, self.partner)
+        return VerifyingMatcher(self.library.ways, self.kb, partner or self.partner, earlier)
 
-    def capability(self, situation: Situation, leaf: int, agent: str) -> tuple[Compound, bool]:
+    def capability(
+        self,
+        situation: Situation,
+        leaf: int,
+        agent: str,
+        partner: str | None = None,
+        earlier: Sequence[Compound] = (),
+    ) -> tuple[Compound, bool]:
         """A leaf's action with every part filled in that can be, and whether the knowledge base lets the agent do it.
 
-        What was done, and what comes before the leaf, is taken as done by then. A domain that verifies nothing lets
-        nobody do anything.
+        What was done (by the ``partner``, after what was done ``earlier``), and what comes before the leaf, is taken
+        as done by then. A domain that verifies nothing lets nobody do anything.
         """
         plan = situation.plan
         binding = situation.binding or (None,) * len(plan.variables)
@@ -179,8 +196,9 @@ class Domain:
         known = bindings_of(plan, binding if isinstance(settled, Mismatch) else settled)
         actions = [substitute(action, known) for action in plan.leaves]
         done = situation.done | plan.chart.before[leaf] & situation.belonging
-        earlier = [action for at, action in enumerate(actions) if done >> at & 1]
-        history = [(Compound((a.functor, self.partner, *a.args)), float(t)) for t, a in enumerate(earlier)]
+        who = partner or self.partner
+        theirs = (Compound((a.functor, who, *a.args)) for at, a in enumerate(actions) if done >> at & 1)
+        history = [(statement, float(t)) for t, statement in enumerate((*earlier, *theirs))]
         action = actions[leaf]
         verdict = self.kb.verify(Compound((action.functor, agent, *action.args)), history)
         filled = verdict.completed if verdict.valid else verdict.statement

@@ -18,5 +18,7 @@ SHARING_NAMES = frozenset(
 SYSTEM_RELATIONS = SHARING_NAMES | {("goal", 1), ("human", 1), ("robot", 1), ("prior", 2)}
 """Every relation that is asked for by name."""
 
-SECTIONS = ("actions", "agents", "focus", "human", "perception", "plans", "robot", "sensor", "sim", "tracking")
+SECTIONS = (
+    "actions", "agents", "focus", "human", "perception", "plans", "robot", "sensor", "sim", "tracking", "verification",
+)  # fmt: skip
 """Whom ``setting(Section, Name, Value)`` can be for."""

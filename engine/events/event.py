@@ -17,7 +17,9 @@ TYPES = (
     "reading",
     "prediction",
     "plan",
+    "withdrawn",
     "robot",
+    "episode",
     "warning",
     "summary",
 )
@@ -30,6 +32,12 @@ class Event:
     type: str
     t: float
     data: Mapping[str, Any] = field(default_factory=dict)
+
+    def about(self, agent: str) -> Event:
+        """The event, naming whose doing it is about; one that names another agent names this one as its partner."""
+        named = self.data.get("agent", agent)
+        settled = named == agent or "partner" in self.data or "by" in self.data
+        return Event(self.type, self.t, {"agent": named, **({} if settled else {"partner": agent}), **self.data})
 
     def to_json(self) -> dict[str, Any]:
         """The design's object: ``{"type": …, "t": …, **data}``."""

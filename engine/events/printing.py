@@ -117,19 +117,44 @@ def plan_lines(agent: str, waiting: Sequence[str], actions: Sequence[str]) -> It
         yield line(Span(agent, "strong"), f"'s turn: {will}")
 
 
+def withdrawn_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
+    """What the robot had announced and will not do."""
+    yield _at(t, Span(f"✗ {data.get('agent', names.robot)} withdraws its part in {data['goal']}", "warning"))
+    yield _under(Span(data["because"], "faint"))
+
+
+def episode_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
+    """How what a partner did for one goal ended."""
+    goal, seen = data["goal"] or "what nobody could tell", f"{data['observed']} seen, {data['missed']} missed"
+    mark = {"finished": Span("● ", "good"), "abandoned": Span("○ ", "warning"), "unclear": Span("○ ", "faint")}
+    span = Span(f" ({data['from']:.1f} to {data['to']:.1f} s; {seen})", "faint")
+    yield _at(t, mark[data["outcome"]], Span(f"{goal} is {data['outcome']}", "strong"), span)
+
+
 def summary_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
-    """What was predicted and done, and whether it was right."""
-    predicted = data["predicted"] or "nothing"
-    when = f" at {data['prediction_time']:.1f} s" if data["prediction_time"] is not None else ""
-    if data.get("goal") is None:
-        yield _at(t, Span(f"predicted {predicted}{when}", "strong"))
-        return
-    mark = Span("right", "good") if data["correct"] else Span("wrong", "bad")
-    wanted = f"{names.partner} wanted {data['goal']}; predicted {predicted}{when}"
-    yield _at(t, Span(wanted, "strong"), ": ", mark)
-    if data["robot"]["actions"]:
+    """What was predicted and done, and whether it was right; of several goals, how each ended."""
+    yield from _wanted_lines(t, data, names)
+    rows = data.get("episodes", ())
+    for row in rows if len(rows) > 1 else ():
+        yield _under(f"{row['agent']}: ", Span(row["goal"] or "?", "strong"), f" {row['outcome']} at {row['to']:.1f} s")
+    if data.get("goal") is not None and data["robot"]["actions"]:
         done = Span("finished", "good") if data["robot"]["done"] else Span("not finished", "bad")
         yield _under(f"{names.robot}'s part ({', '.join(data['robot']['actions'])}) is ", done)
+
+
+def _wanted_lines(t: float, data: Data, names: Names) -> Iterator[Line]:
+    """What the partner was after, where somebody knows, and what was taken for it."""
+    predicted = data["predicted"] or "nothing"
+    when = f" at {data['prediction_time']:.1f} s" if data["prediction_time"] is not None else ""
+    mark = Span("right", "good") if data.get("correct") else Span("wrong", "bad")
+    if data.get("goal") is None:
+        yield _at(t, Span(f"predicted {predicted}{when}", "strong"))
+    elif data.get("goals"):
+        read = ", ".join(row["goal"] or "?" for row in data.get("episodes", ()))
+        yield _at(t, Span(f"{names.partner} wanted {', '.join(data['goals'])}; read {read}", "strong"), ": ", mark)
+    else:
+        wanted = f"{names.partner} wanted {data['goal']}; predicted {predicted}{when}"
+        yield _at(t, Span(wanted, "strong"), ": ", mark)
 
 
 def robot_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
@@ -194,6 +219,8 @@ _PRINTERS: dict[str, Callable[[float, Data, Names], Iterator[Line]]] = {
     "reading": _reading,
     "prediction": prediction_lines,
     "plan": _plan,
+    "withdrawn": withdrawn_lines,
+    "episode": episode_lines,
     "robot": robot_lines,
     "warning": _warning,
     "summary": summary_lines,

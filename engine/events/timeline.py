@@ -7,17 +7,18 @@ from typing import Any
 
 from casper.engine.events.event import Event
 from casper.engine.events.printing import Names, movement_lines, opening_lines, reading_lines
-from casper.kb.text.lines import Line
+from casper.kb.text.lines import Line, Span
 
 
 class Timeline:
-    """Tells events; focus and movement only when target, destination or movement change, a reason only once."""
+    """Tells events; focus and movement only when target, destination or movement change, a reason only once.
+
+    Where several partners are watched, every line begins with the name of the one it is about.
+    """
 
     def __init__(self, partner: str, robot: str) -> None:
         self.names = Names(partner, robot)
-        self._focus: dict[str, Any] = {}
-        self._last: tuple[Any, ...] = ()
-        self._ruled_out: set[str] = set()  # goals whose reason was told already
+        self._told: dict[str, _Told] = {}  # by partner
 
     def open(self, domain: str, seed: int) -> Iterator[Line]:
         """The heading."""
@@ -25,13 +26,20 @@ class Timeline:
 
     def lines(self, event: Event) -> Iterator[Line]:
         """What there is to say about the next event, perhaps nothing."""
+        whose = event.data.get("partner", event.data.get("agent", self.names.partner))
+        told = self._told.setdefault(str(whose), _Told())
+        several = len(self._told) > 1 and event.type != "summary"
+        for spans in self._lines(event, told):
+            yield (Span(f"{whose}  ", "strong"), *spans) if several else spans
+
+    def _lines(self, event: Event, told: _Told) -> Iterator[Line]:
         match event.type:
             case "focus":
-                self._focus = dict(event.data)
+                told.focus = dict(event.data)
             case "movement":
-                yield from self._movement(event)
+                yield from told.movement(event)
             case "reading":
-                yield from self._reading(event)
+                yield from told.reading(event)
             case "action":  # its verdict, or its reading, tells
                 pass
             case "robot" if event.data["status"] == "asked":  # the plan told
@@ -39,13 +47,24 @@ class Timeline:
             case _:
                 yield from event.lines(self.names)
 
-    def _movement(self, event: Event) -> Iterator[Line]:
-        movement, focus = event.data["movement"], self._focus
+
+class _Told:
+    """What was told last of one partner."""
+
+    def __init__(self) -> None:
+        self.focus: dict[str, Any] = {}
+        self._last: tuple[Any, ...] = ()
+        self._ruled_out: set[str] = set()  # goals whose reason was told already
+
+    def movement(self, event: Event) -> Iterator[Line]:
+        """A movement, when it or what it is about has changed."""
+        movement, focus = event.data["movement"], self.focus
         now = (movement, focus.get("target"), focus.get("destination"))
         if now != self._last:
             self._last = now
             yield from movement_lines(event.t, movement, focus)
 
-    def _reading(self, event: Event) -> Iterator[Line]:
+    def reading(self, event: Event) -> Iterator[Line]:
+        """A reading, with the reasons that were not told yet."""
         yield from reading_lines(event.data, self._ruled_out)
         self._ruled_out = {entry["goal"] for entry in event.data["rejected"]}

@@ -62,15 +62,7 @@ def world_state_from_json(data: str | bytes | Mapping[str, Any]) -> WorldState:
         WorldStateError: not JSON, a missing key, or a coordinate that is missing, NaN or infinite;
             the sentence names the object or agent and the time.
     """
-    if isinstance(data, (str, bytes)):
-        try:
-            data = json.loads(data)
-        except (ValueError, RecursionError) as mistake:
-            raise WorldStateError(f"this is not a line of JSON ({mistake})") from None
-    if not isinstance(data, Mapping):
-        raise WorldStateError(
-            f'a world state is an object with "t", "agents" and "objects", not {data!r:.60}'
-        )
+    data = json_object(data)
     t = _number(data, "t", "the world state")
     when = f"at t={t:g}"
     agents = {
@@ -91,6 +83,24 @@ def world_state_from_json(data: str | bytes | Mapping[str, Any]) -> WorldState:
         for name, entry in _entries(data, "objects", when)
     }
     return WorldState(t, agents, objects)
+
+
+def json_object(data: str | bytes | Mapping[str, Any]) -> Mapping[str, Any]:
+    """The object that a line of JSON is; an object is itself.
+
+    Raises:
+        WorldStateError: it is not JSON, or no object.
+    """
+    if isinstance(data, (str, bytes)):
+        try:
+            data = json.loads(data)
+        except (ValueError, RecursionError) as mistake:
+            raise WorldStateError(f"this is not a line of JSON ({mistake})") from None
+    if not isinstance(data, Mapping):
+        raise WorldStateError(
+            f'a world state is an object with "t", "agents" and "objects", not {data!r:.60}'
+        )
+    return data
 
 
 def world_state_to_json(world: WorldState) -> dict[str, Any]:

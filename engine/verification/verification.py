@@ -5,8 +5,10 @@ An action the low level believes in becomes a statement; what the knowledge base
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from casper.engine.verification.history import Done, History
 from casper.engine.verification.observation import Observation
 from casper.kb.base import KnowledgeBase
 from casper.kb.reasons.validity import Verdict
@@ -41,14 +43,19 @@ class Verifier:
     """Judges statements one after the other, remembering what was accepted for did/2."""
 
     kb: KnowledgeBase
-    history: list[tuple[Compound, float]] = field(default_factory=list)
+    history: History = field(default_factory=History)
 
     def judge(self, statement: Statement) -> Verdict:
         """Whether the statement is valid after what was accepted, and why not."""
-        return self.kb.verify(statement.term, self.history)
+        return self.kb.verify(statement.term, self.looked_at)
+
+    @property
+    def looked_at(self) -> Sequence[Done]:
+        """What was done earlier, as far as any rule asks."""
+        return self.history if self.kb.depends_on_history else ()
 
     def accept(self, verdict: Verdict, t: float) -> Observation:
         """Remember a valid statement; the observation it is, with the parts the rules filled in."""
         if is_ground(verdict.completed):
-            self.history.append((verdict.completed, t))
+            self.history.remember(verdict.completed, t)
         return Observation(verdict.completed.functor, verdict.completed.args[1:])

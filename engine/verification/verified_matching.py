@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeAlias
 
+from casper.engine.verification.history import Done
 from casper.engine.verification.matching import (
     Binding,
     Matcher,
@@ -34,18 +35,23 @@ class VerifyingMatcher(ParameterMatcher):
     """Parameters, the goal's own condition, and the validity of what the partner is taken to have done.
 
     Forks share what was asked. A knowledge base may change at any time: what it said before is forgotten then.
+    ``earlier`` is what was done before the first observation, oldest first; did/2 numbers it up to 0, and the
+    observations from 1.
     """
 
-    def __init__(self, plans: Sequence[Plan], kb: KnowledgeBase, partner: str) -> None:
+    def __init__(
+        self, plans: Sequence[Plan], kb: KnowledgeBase, partner: str, earlier: Sequence[Compound] = ()
+    ) -> None:
         super().__init__(plans)
-        self.kb, self.partner = kb, partner
-        self._histories: list[tuple[tuple[Compound, float], ...]] = [()]  # after each observation
+        self.kb, self.partner, self._earlier = kb, partner, tuple(earlier)
+        before = tuple((statement, float(1 + at - len(earlier))) for at, statement in enumerate(earlier))
+        self._histories: list[tuple[Done, ...]] = [before]  # after each observation
         self._forget()
 
     @property
     def recipe(self) -> Recipe:
         """How another process makes one for the same plans."""
-        return VerifyingMatcher, self.kb, self.partner
+        return VerifyingMatcher, self.kb, self.partner, self._earlier
 
     def _forget(self) -> None:
         self._changes, self._looks_back = self.kb.changes, self.kb.depends_on_history

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import mujoco
@@ -27,7 +28,7 @@ class Physics:
         self.model: Any = build_model(scene)
         self.data: Any = mujoco.MjData(self.model)
         self.substeps = max(1, round(scene.sim.control / scene.sim.timestep))
-        self.removed: set[str] = set()
+        self.removed: dict[str, int] = {}  # name -> the parking place
         self._held: dict[str, str] = {}
         self._body = {self.model.body(i).name: i for i in range(self.model.nbody)}
         self._servo = {self.model.actuator(i).name: i for i in range(self.model.nu)}
@@ -157,7 +158,7 @@ class Physics:
         data.eq_active[index] = 1
 
     def remove(self, thing: str) -> None:
-        """Take a movable object out of the world for good.
+        """Take a movable object out of the world, until it is put back.
 
         Raises:
             DomainError: no such object, or it is fixed.
@@ -167,9 +168,20 @@ class Physics:
         holder = self.holder(thing)
         if holder is not None:
             self.release(holder)
-        self.removed.add(thing)
+        taken = set(self.removed.values())
+        self.removed[thing] = next(number for number in range(1, len(taken) + 2) if number not in taken)
+        x = AWAY[0] + self.removed[thing]
+        self._move(thing, (x, AWAY[1], self.scene.thing(thing).height / 2, 1.0, 0.0, 0.0, 0.0))
+
+    def put_back(self, thing: str) -> None:
+        """Put a movable object that nobody holds where it was at the start; one that was removed is there anew."""
+        self.removed.pop(thing, None)
+        at = self._qpos[thing]
+        self._move(thing, self.model.qpos0[at : at + 7])
+
+    def _move(self, thing: str, pose: Sequence[float]) -> None:
+        """An object rests somewhere else at once: x, y, z, and a quaternion."""
         at, dof = self._qpos[thing], self._dof[thing]
-        x = AWAY[0] + len(self.removed)
-        self.data.qpos[at : at + 7] = (x, AWAY[1], self.scene.thing(thing).height / 2, 1.0, 0.0, 0.0, 0.0)
+        self.data.qpos[at : at + 7] = pose
         self.data.qvel[dof : dof + 6] = 0.0
         mujoco.mj_forward(self.model, self.data)

@@ -75,8 +75,8 @@ class RobotBase:
             waited += 0.5
             if waited > self.settings.patience:
                 raise StepFailed("there is no free way")
-            yield from self._halt(0.5)
-        yield from self._halt(0.3)
+            yield from self.halt(0.5)
+        yield from self.halt(0.3)
 
     def face(self, point: Point) -> Ticks:
         """Turn on the spot."""
@@ -133,7 +133,8 @@ class RobotBase:
         self.aim_x += step * math.cos(way)
         self.aim_y += step * math.sin(way)
 
-    def _halt(self, seconds: float) -> Ticks:
+    def halt(self, seconds: float) -> Ticks:
+        """Stand for a while."""
         self.speed = 0.0
         self._turning = 0.0
         for _ in range(round(seconds / self._dt)):

@@ -66,13 +66,30 @@ class RobotHand:
     def put(self, target: str, destination: str) -> Ticks:
         """Bring what is held to its place, and see that it stays there."""
         spot = place_spot(self.scene, self.physics.positions(), target, destination, self.base.place)
+        yield from self.lay(target, spot)
+        if not is_placed(self.scene, self.physics.positions(), target, destination):
+            raise StepFailed(f"{target} did not come to rest at {destination}")
+
+    def lay(self, target: str, spot: Spot) -> Ticks:
+        """Bring what is held to a spot, and let go."""
         yield from self._tool_to(lambda: self._tool_for(target, _above(spot, HOVER)))
         self.arm.aim_lift(spot[2])
         yield from self._wait(lambda: self.arm.lifted, 5.0)
         yield from self._tool_to(lambda: self._tool_for(target, _above(spot, TOUCH)))
         yield from self.release(target)
-        if not is_placed(self.scene, self.physics.positions(), target, destination):
-            raise StepFailed(f"{target} did not come to rest at {destination}")
+
+    def lower(self, target: str, spot: Spot) -> Ticks:
+        """Let what is held down at a spot right below it, and let go."""
+        yield from self._tool_to(lambda: self._tool_for(target, _above(spot, TOUCH)))
+        yield from self.release(target)
+
+    def back_off(self, target: str) -> Ticks:
+        """Open the fingers round what is not held, and fold the arm."""
+        self.arm.open_for(grip_of(self.scene.thing(target)).width)
+        yield from self._pause(0.4)
+        x, y, z = self.arm.tool
+        yield from self._glide(lambda: (x, y, max(z, min(z + 0.15, HOME[2]))))
+        yield from self.home()
 
     def release(self, target: str) -> Ticks:
         """Let go when the object rests, open, draw up and back."""

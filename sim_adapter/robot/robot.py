@@ -13,7 +13,7 @@ from casper.sim_adapter.robot.hand import RobotHand
 from casper.sim_adapter.robot.head import RobotHead
 from casper.sim_adapter.room.geometry import Disc, point_to_segment, turn
 from casper.sim_adapter.room.navigation import Navigator, square_on
-from casper.sim_adapter.room.placement import is_placed
+from casper.sim_adapter.room.placement import Spot, is_placed
 from casper.sim_adapter.room.scene import Point
 from casper.sim_adapter.steps import Step, StepFailed, StepQueue, Ticks, Worker, check_objects
 
@@ -54,6 +54,8 @@ class Robot(Worker):
         self.queue = StepQueue()
         self._dt = self.scene.sim.control
         self._skill: Ticks | None = None
+        self._ending = False  # the step under way is being ended
+        self._taken_from: Spot | None = None  # where what is held was grasped
         self._watching: Ticks | None = None
 
     @property
@@ -78,6 +80,16 @@ class Robot(Worker):
             check_objects(self.scene, step)
             self.queue.waiting.append(step)
 
+    def leave(self, steps: Sequence[Step]) -> None:
+        """Leave steps undone: those not begun are forgotten, one under way is ended safely.
+
+        What the robot holds then is brought back to where it took it from.
+        """
+        self.queue.drop(steps)
+        current = self.queue.current
+        if current is not None and current in steps and not self._ending:
+            self._ending, self._skill = True, self._end(current)
+
     def tick(self) -> None:
         """One control step."""
         if self._skill is None and self.queue.waiting:
@@ -95,13 +107,19 @@ class Robot(Worker):
         try:
             next(skill)
         except StopIteration:
-            self._skill = None
-            self.queue.finish()
+            self._over(None)
         except StepFailed as reason:
-            self._skill = None
-            self.queue.finish(str(reason))
+            self._over(str(reason))
             while self.queue.waiting:
                 self.queue.failed.append((self.queue.waiting.popleft(), "what comes before it failed"))
+
+    def _over(self, failure: str | None) -> None:
+        """The step under way is done, ended or has failed."""
+        if self._ending and failure is None:
+            self.queue.end()
+        else:
+            self.queue.finish(failure)
+        self._skill, self._ending = None, False
 
     # -- watching ---------------------------------------------------------------------------------------------------
 
@@ -144,7 +162,7 @@ class Robot(Worker):
             if self._placed(target, destination):
                 return
             yield from self._approach(target)
-            yield from self.hand.grasp(target)
+            yield from self._grasp(target)
         yield from self.hand.take_up(target)
         yield from self._approach(destination)
         yield from self.hand.put(target, destination)
@@ -156,9 +174,26 @@ class Robot(Worker):
             if not self._placed(target, destination):
                 raise StepFailed(f"{target} is not at {destination}")
             yield from self._approach(destination)
-            yield from self.hand.grasp(target)
+            yield from self._grasp(target)
         yield from self.hand.scrub(target)
         yield from self.hand.release(target)
+
+    def _grasp(self, target: str) -> Ticks:
+        self._taken_from = self.physics.position(target)
+        yield from self.hand.grasp(target)
+
+    def _end(self, step: Step) -> Ticks:
+        """End a step safely: fold the empty arm, or bring what is held back to where it was taken from."""
+        target, spot = str(step.target), self._taken_from
+        yield from self.base.halt(0.3)
+        if self.holding is None or spot is None:
+            yield from self.hand.back_off(target)
+        elif step.skill == "use":
+            yield from self.hand.lower(target, spot)
+        else:
+            yield from self.hand.take_up(target)
+            yield from self._go_near(target, lambda: (spot[0], spot[1]))
+            yield from self.hand.lay(target, spot)
 
     def _placed(self, target: str, destination: str) -> bool:
         """At its place, and in nobody's hand."""
@@ -168,11 +203,15 @@ class Robot(Worker):
     def _approach(self, name: str) -> Ticks:
         """Drive to where an object can be handled, and face it."""
         yield from self._until_free(name)
+        yield from self._go_near(name, lambda: self._at(name))
+
+    def _go_near(self, name: str, at: Callable[[], Point]) -> Ticks:
+        """Drive to where an object at that point can be handled, and face the point."""
         rings, since = (self.settings.stand_distance, *RINGS), self.physics.time
-        if not any(abs(math.dist(self.base.place, self._at(name)) - ring) < 0.02 for ring in rings):
-            yield from self.base.go(lambda: self._standing(name, rings, since))
-        yield from self.base.face(self._at(name))
-        if math.dist(self.base.place, self._at(name)) > REACH:
+        if not any(abs(math.dist(self.base.place, at()) - ring) < 0.02 for ring in rings):
+            yield from self.base.go(lambda: self._standing(name, at(), rings, since))
+        yield from self.base.face(at())
+        if math.dist(self.base.place, at()) > REACH:
             raise StepFailed(f"{name} is out of reach")
 
     def _until_free(self, name: str) -> Ticks:
@@ -185,9 +224,9 @@ class Robot(Worker):
         if name in self.physics.removed:
             raise StepFailed(f"{name} is no longer there")
 
-    def _standing(self, name: str, rings: Sequence[float], since: float) -> list[Point]:
+    def _standing(self, name: str, at: Point, rings: Sequence[float], since: float) -> list[Point]:
         """Where to stand for an object: so that no other one is between, or after a while of waiting anywhere."""
-        at, ways = self._at(name), self.base.navigator
+        ways = self.base.navigator
         others = [
             (self._at(other), self.scene.thing(other).radius + BESIDE)
             for other in self.scene.movables

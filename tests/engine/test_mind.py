@@ -139,7 +139,7 @@ def test_a_mind_that_allows_needless_actions_goes_on_past_one():
 
 def test_a_mind_like_another_has_its_options():
     mind = Mind(KITCHEN, noise=0.1, goals=2, stops=True).like(KITCHEN)
-    assert mind.stops
+    assert mind.course.stops
     assert (mind.reading.options.noise, mind.reading.options.goals) == (0.1, 2)
 
 

@@ -26,6 +26,11 @@ PREDICTION = Event("prediction", 15.0, {"goal": "lunch", "observed": 1, "missed"
 PLAN = Event("plan", 15.0, {"agent": "tim", "waiting": ["eat(meal)"], "actions": ["wash(p)", "go"]})
 ASKED = Event("robot", 16.0, {"status": "asked", "action": "wash(p)"})
 FAILED = Event("robot", 20.0, {"status": "failed", "action": "wash(p)", "reason": "it slipped"})
+WITHDRAWN = Event("withdrawn", 26.5, {"agent": "tim", "partner": "ann", "goal": "lunch", "because": "ann went over to [x]"})
+EPISODE = Event(
+    "episode", 26.5,
+    {"agent": "ann", "goal": "lunch", "outcome": "abandoned", "from": 15.0, "to": 20.0, "observed": 1, "missed": 0},
+)  # fmt: skip
 WARNING = Event("warning", 20.0, {"message": "line 3 is left out: [x]"})
 SUMMARY = Event(
     "summary", 100.0,
@@ -51,6 +56,8 @@ SHOWN = [
     (PLAN, ["  15.0  tim waits for eat(meal)", "        and will then wash(p), then go"]),
     (ASKED, ["  16.0  ▷ the robot asked wash(p)"]),
     (FAILED, ["  20.0  ✘ the robot failed wash(p): it slipped"]),
+    (WITHDRAWN, ["  26.5  ✗ tim withdraws its part in lunch", "        ann went over to [x]"]),
+    (EPISODE, ["  26.5  ○ lunch is abandoned (15.0 to 20.0 s; 1 seen, 0 missed)"]),
     (WARNING, ["  20.0  ! line 3 is left out: [x]"]),
     (
         SUMMARY,
@@ -94,6 +101,38 @@ def timeline(*events):
 
 def test_a_timeline_tells_a_movement_with_what_it_is_about_and_only_once():
     assert timeline(FOCUS, MOVEMENT, MOVEMENT) == ["", "   9.0  place      a:x:b    ████████ 1.00  hobs     ████     0.50", ""]
+
+
+def test_of_several_partners_every_line_says_whom_it_is_about():
+    ann, bob = (Event("verdict", 15.0, {**VALID.data, "agent": name}) for name in ("ann", "bob"))
+    plan = Event("plan", 16.0, {**PLAN.data, "partner": "bob"})
+    first, second, third = timeline(ann, bob, plan)
+    assert first.startswith("  15.0  ✔")  # as long as there is one only
+    assert second.startswith("bob    15.0  ✔")
+    assert [line.split()[0] for line in third.splitlines()] == ["bob", "bob"]
+
+
+def test_the_movements_of_two_partners_are_told_apart():
+    of = lambda event, name: Event(event.type, event.t, {**event.data, "agent": name})  # noqa: E731
+    told = timeline(*(of(event, name) for event in (FOCUS, MOVEMENT, MOVEMENT) for name in ("ann", "bob")))
+    assert [bool(text) for text in told] == [False, False, True, True, False, False]
+
+
+def test_a_day_is_summed_up_goal_by_goal():
+    rows = [{**EPISODE.data, "goal": goal, "outcome": "finished", "to": to} for goal, to in (("drink", 50.0), (None, 90.0))]
+    day = Event("summary", 100.0, {**SUMMARY.data, "goals": ["drink", "lunch"], "correct": False, "episodes": rows})
+    assert str(day).splitlines() == [
+        " 100.0  the partner wanted drink, lunch; read drink, ?: wrong",
+        "        ann: drink finished at 50.0 s",
+        "        ann: ? finished at 90.0 s",
+        "        the robot's part (wash(p)) is finished",
+    ]
+
+
+def test_an_event_names_whom_it_is_about():
+    assert MOVEMENT.about("ann").data["agent"] == "ann"
+    assert {"agent": "tim", "partner": "ann"}.items() <= PLAN.about("ann").data.items()
+    assert WITHDRAWN.about("eve").data == WITHDRAWN.data
 
 
 def test_a_timeline_tells_a_reason_once():

@@ -19,17 +19,26 @@ NAP = 3600.0  # seconds slept at once: no platform counts up to any float
 
 def run(
     domain: DomainName,
-    goal: Annotated[str | None, typer.Option(help="What the partner is after; by default drawn from the seed.")] = None,
+    goal: Annotated[
+        list[str] | None,
+        typer.Option(help="What the partner is after, one goal after the other; by default drawn from the seed."),
+    ] = None,
     seed: Annotated[int, typer.Option(help="Of the start, the partner's pace and the sensor's noise.")] = 0,
     no_verification: Unverified = False,
     no_robot: Annotated[bool, typer.Option("--no-robot", help="Watch and predict only.")] = False,
     policy: PolicyName = "strict",
     noise: Noise = None,
     goals: Goals = 1,
+    goals_in_a_row: Annotated[
+        int | None, typer.Option("--goals-in-a-row", metavar="N", help="How many goals, one after the other.")
+    ] = None,
+    changes_mind: Annotated[
+        bool, typer.Option("--changes-mind", help="The first goal is given up for the next after its first action.")
+    ] = False,
     speed: Annotated[float, typer.Option(help="Simulated seconds a second; 0 is as fast as it goes.")] = 0.0,
     as_json: AsJson = False,
 ) -> None:
-    """Simulate a partner in the domain's room, read their goal, and do the robot's part."""
+    """Simulate a partner in the domain's room, read their goals, and do the robot's part."""
     from casper.cli.terminal.extras import needs
     from casper.cli.terminal.output import console, print_json
     from casper.cli.terminal.showing import show
@@ -41,7 +50,8 @@ def run(
     needs("mujoco", "sim")
     from casper.sim_adapter.trial import Trial, TrialSettings
 
-    trial = Trial(loaded, TrialSettings(goal, seed, not no_verification, not no_robot, policy, noise, goals))
+    day = (",".join(goal) if goal else None, seed, not no_verification, not no_robot, policy, noise, goals)
+    trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind))
     out, timeline = console(), Timeline(loaded.partner, loaded.robot)
     if not as_json:
         show(out, timeline.open(loaded.name, seed))

@@ -1,4 +1,8 @@
-"""``casper watch``: read world states (JSON lines) from standard input, so that any robot can feed the mind."""
+"""``casper watch``: read world states (JSON lines) from standard input, so that any robot can feed the mind.
+
+A robot may say in between what it did of its part, as ``casper run`` prints it, with the status ``done`` or ``failed``:
+``{"type": "robot", "t": 40.0, "action": "wash(plate, sink)", "status": "done"}``.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +17,7 @@ from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, Policy
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
+    from casper.engine.live import Partners
     from casper.engine.mind import Mind
 
 LONGEST = 10_000_000  # characters of a world state
@@ -28,32 +33,31 @@ def watch(
     reload: Annotated[bool, typer.Option("--reload", help="Read the domain anew when its files change.")] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Watch a partner through world states on standard input; a bad line is reported and left out."""
+    """Watch partners through world states on standard input; a bad line is reported and left out."""
     from casper.cli.terminal.output import console, print_json
     from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
     from casper.engine.events.timeline import Timeline
-    from casper.engine.mind import Mind
+    from casper.engine.live import Partners
 
     loaded = Domain.load(domain)
-    mind = Mind(loaded, verification=not no_verification, policy=policy, noise=noise, goals=goals, stops=stop)
+    minds = Partners(loaded, verification=not no_verification, policy=policy, noise=noise, goals=goals, stops=stop)
     out, timeline = console(), Timeline(loaded.partner, loaded.robot)
-    for event in watched(mind, _lines(sys.stdin), reload):
+    for event in watched(minds, _lines(sys.stdin), reload):
         if as_json:
             print_json(event.to_json())
         else:
             show(out, timeline.lines(event))
 
 
-def watched(mind: Mind, lines: Iterable[str], reload: bool = False) -> Iterator[Event]:
-    """The mind's events for JSON lines of world states; a line that cannot be used becomes a ``warning``.
+def watched(mind: Mind | Partners, lines: Iterable[str], reload: bool = False) -> Iterator[Event]:
+    """The events of a mind, or of those of all partners, for JSON lines; one that cannot be used becomes a ``warning``.
 
     With ``reload`` changes in the domain's files are taken in between two lines, and told as warnings, too.
     """
     from casper.engine.events import Event
-    from casper.engine.live import Live
-    from casper.engine.perception.world import world_state_from_json
-    from casper.kb.errors import WorldStateError
+    from casper.engine.live import Live, heard
+    from casper.kb.errors import ReadError, WorldStateError
 
     now, live = 0.0, Live(mind)
     for number, line in enumerate(lines, 1):
@@ -63,13 +67,12 @@ def watched(mind: Mind, lines: Iterable[str], reload: bool = False) -> Iterator[
             yield Event("warning", now, {"message": message})
         try:
             _check_line(line)
-            world = world_state_from_json(line)
-            events = live.mind.update(world)
-            now = world.t
-        except WorldStateError as mistake:
+            events, now = heard(live.mind, line, now)
+        except (WorldStateError, ReadError) as mistake:
             yield Event("warning", now, {"message": f"line {number} is left out: {mistake.sentence}"})
             continue
         yield from events
+    yield from live.mind.end(now)
     yield Event("summary", now, live.mind.summary())
 
 

@@ -1,0 +1,9 @@
+"""Running minds: those for all partners in view, and a mind that follows the files of its domain.
+
+In: world states, what the robot did, changed files. Out: events, each with the agent it is about.
+"""
+
+from casper.engine.live.partners import Partners as Partners
+from casper.engine.live.renewal import Live as Live
+from casper.engine.live.renewal import renewed as renewed
+from casper.engine.live.reports import heard as heard

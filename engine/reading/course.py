@@ -1,0 +1,182 @@
+"""The course of a partner's day: episode after episode, each with its reading and the robot's part in it.
+
+Whatever is seen belongs to an episode or is left out (`segments`). An episode closes, with an ``episode`` event, when
+
+* everything was seen, by every explanation of its committed goal, or the robot has done its part: ``finished``;
+* the partner went over to something else before: ``abandoned``, or ``unclear`` where no goal was committed to. Where
+  only the robot's part was left, the episode stays open beside the new one until the robot has done it;
+* the robot failed in its part, or nobody watches any more: ``unclear``.
+
+What had been announced for a goal that is given up is withdrawn before anything else is told.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
+
+from casper.engine.collaboration.supervisor import Supervisor
+from casper.engine.events import Event
+from casper.engine.reading.reading import Reading
+from casper.engine.reading.segments import Begins, BySight, LeftOut, Segments
+from casper.engine.reading.underway import FINISHED, UNCLEAR, Underway
+from casper.engine.verification.observation import Observation
+from casper.kb.errors import CasperError
+from casper.kb.terms.terms import Compound
+
+MOST_ROWS = 10_000  # closed episodes whose row is kept for the summary
+MOST_HELPED = 8  # episodes of which only the robot's part is left; then the oldest is unclear
+
+
+class Course:
+    """Episodes of one partner, one after the other.
+
+    Args:
+        partner: whose they are.
+        robot: who helps; None watches only.
+        fresh: makes a reading in which nothing was observed.
+        segments: makes what says where an action belongs, of ``partner`` and ``fresh``; `BySight` when None.
+        others: the courses of the other partners in view, whose goals an action may serve when it fits there only.
+        stops: an action that fits nothing raises instead of being left out.
+    """
+
+    def __init__(
+        self,
+        partner: str,
+        robot: str | None,
+        fresh: Callable[[], Reading],
+        segments: Callable[[str, Callable[[], Reading]], Segments] | None = None,
+        others: Callable[[], Iterable[Course]] = tuple,
+        stops: bool = False,
+    ) -> None:
+        self.partner, self.robot, self.others, self.stops = partner, robot, others, stops
+        self._fresh = fresh
+        self.segments: Segments = BySight(fresh) if segments is None else segments(partner, fresh)
+        self.current = self._opened()
+        self.helped: list[Underway] = []
+        self.rows: deque[dict[str, Any]] = deque(maxlen=MOST_ROWS)
+        self.predicted: Supervisor | None = None  # of the last closed episode that committed to a goal
+
+    def _opened(self) -> Underway:
+        reading = self._fresh()
+        return Underway(reading, Supervisor(reading, self.robot))
+
+    @property
+    def supervisors(self) -> tuple[Supervisor, ...]:
+        """Of all episodes that are open, the longest open first."""
+        return tuple(episode.supervisor for episode in (*self.helped, self.current))
+
+    @property
+    def open_episodes(self) -> tuple[Underway, ...]:
+        """Those in which something was seen, the one under way first."""
+        return tuple(episode for episode in (self.current, *reversed(self.helped)) if episode.begun is not None)
+
+    @property
+    def committed(self) -> Supervisor | None:
+        """The supervisor of the last episode that committed to a goal."""
+        open_ = next((s for s in reversed(self.supervisors) if s.commitment is not None), None)
+        return open_ or self.predicted
+
+    def resume(self, episode: Underway) -> None:
+        """Go on with an episode that was read anew; the one that was current waits for the robot alone."""
+        if self.current.begun is not None:
+            self.helped.append(self.current)
+        self.current = episode
+
+    def read(self, observation: Observation, t: float) -> Iterator[Event]:
+        """One more action of the partner.
+
+        Raises:
+            CasperError: it fits nothing, and the course was told to stop there.
+        """
+        return _about(self.partner, self._read(observation, t))
+
+    def _read(self, observation: Observation, t: float) -> Iterator[Event]:
+        if self.current.begun is None and not self.current.reading.observations:
+            self.current = self._opened()  # what was done since the last one closed is known to it
+        theirs = {id(e): course for course in self.others() for e in course.open_episodes}
+        elsewhere = [e for course in self.others() for e in course.open_episodes]
+        placed = self.segments.place(observation, self.current, self.helped, elsewhere, t)
+        if isinstance(placed, LeftOut):
+            if self.stops:
+                raise CasperError(f"{observation} {placed.because}".replace(" and is left out", ""))
+            yield Event("warning", t, {"message": f"{observation} {placed.because}"})
+            return
+        if isinstance(placed, Begins):
+            yield from self._turn(observation, placed.because, t)
+            if placed.reading is None:
+                self.current.reading.observe(observation)
+            else:
+                self.current.read_anew(placed.reading, set(placed.numbers))
+        episode = self.current if isinstance(placed, Begins) else placed.episode
+        owner = theirs.get(id(episode))
+        yield from self._taken(episode, t) if owner is None else owner.helped_by(self.partner, episode, t)
+
+    def helped_by(self, other: str, episode: Underway, t: float) -> Iterator[Event]:
+        """An episode has taken in an action that another partner did: its events are about this one, ``by`` them."""
+        for event in self._taken(episode, t):
+            yield Event(event.type, event.t, {**event.about(self.partner).data, "by": other})
+
+    def did(self, action: Compound, t: float) -> Iterator[Event]:
+        """The robot has done an action that it had announced; its episode is over with the last of them."""
+        self.segments.did(action, self.robot or "", t)
+        episode = self._whose(action)
+        if episode is not None:
+            episode.supervisor.did(action)
+            if not episode.supervisor.left:
+                yield from self._close(episode, FINISHED, t)
+
+    def failed(self, action: Compound, t: float) -> Iterator[Event]:
+        """The robot could not do an action that it had announced, and gives its part up."""
+        episode = self._whose(action)
+        if episode is not None:
+            yield from self._close(episode, UNCLEAR, t)
+
+    def end(self, t: float) -> Iterator[Event]:
+        """Nobody watches any more: what is open is over."""
+        for episode in (*self.helped, self.current):
+            if episode.begun is not None:
+                yield from self._close(episode, FINISHED if episode.is_complete else UNCLEAR, t, episode.last)
+
+    def _taken(self, episode: Underway, t: float) -> Iterator[Event]:
+        """An episode has taken an action in."""
+        episode.note(t)
+        yield Event("reading", t, episode.reading.to_json())
+        yield from episode.supervisor.update(t)
+        if episode.is_over:
+            yield from self._close(episode, FINISHED, t)
+
+    def _turn(self, observation: Observation, because: str, t: float) -> Iterator[Event]:
+        """The partner goes over to something new; what was under way is over, or left to the robot."""
+        before = self.current
+        if before.begun is None:
+            return
+        if before.supervisor.ready and before.supervisor.left:
+            self.helped.append(before)
+            self.current = self._opened()
+            for oldest in self.helped[:-MOST_HELPED]:
+                yield from self._close(oldest, UNCLEAR, t)
+            return
+        yield from before.supervisor.withdraw(t, f"{self.partner} went over to {observation}: {because}")
+        yield from self._close(before, before.outcome, t, before.last)
+
+    def _close(self, episode: Underway, outcome: str, t: float, to: float | None = None) -> Iterator[Event]:
+        row = episode.row(self.partner, outcome, t if to is None else to)
+        self.rows.append(row)
+        if episode.supervisor.commitment is not None:
+            self.predicted = episode.supervisor
+        self.segments.closed(episode)
+        if episode is self.current:
+            self.current = self._opened()
+        else:
+            self.helped.remove(episode)
+        yield Event("episode", t, row)
+
+    def _whose(self, action: Compound) -> Underway | None:
+        """The episode for which the robot has announced an action and not done it yet, the longest open first."""
+        return next((e for e in (*self.helped, self.current) if action in e.supervisor.left), None)
+
+
+def _about(partner: str, events: Iterable[Event]) -> Iterator[Event]:
+    return (event.about(partner) for event in events)

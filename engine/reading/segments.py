@@ -1,0 +1,168 @@
+"""Which episode an action of the partner belongs to: the one under way, one whose rest is the robot's, or a new one.
+
+`Segments` is what a mind asks. `BySight` is the plain answer, by what readings say of the next action:
+
+* what fits the episode under way goes on with it; what is a step that the partner had left to the robot, with that one;
+* what fits neither, and is the first step of a goal, begins a new episode;
+* what fits only what another partner is doing is a step of that;
+* what repeats a step of the episode that has just closed, and begins nothing, is left out, as is what fits nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol, TypeAlias
+
+from casper.engine.reading.printing import rejected_text
+from casper.engine.reading.reading import Reading
+from casper.engine.reading.underway import Underway
+from casper.engine.verification.observation import Seen
+from casper.kb.terms.terms import Compound
+
+
+@dataclass(frozen=True, slots=True)
+class GoesOn:
+    """It belongs to this episode, whose reading has taken it in."""
+
+    episode: Underway
+
+
+@dataclass(frozen=True, slots=True)
+class Begins:
+    """A new episode begins with it, since it does not belong to the one under way.
+
+    ``reading`` has taken it in, perhaps with what was seen of the goal before; None: the new episode's reading has yet
+    to do so. ``numbers`` are those of its observations since the day began, where somebody counts.
+    """
+
+    because: str
+    reading: Reading | None = None
+    numbers: frozenset[int] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOut:
+    """It belongs to no episode."""
+
+    because: str
+
+
+Placed: TypeAlias = "GoesOn | Begins | LeftOut"
+Refusal: TypeAlias = Mapping[str, Sequence[str]]  # goal -> why it explains nothing with the action
+
+LONGEST = 1000  # actions of one episode, needless ones among them; then another begins
+
+
+class Segments(Protocol):
+    """Says of each action where it belongs."""
+
+    def place(
+        self,
+        seen: Seen,
+        current: Underway,
+        helped: Sequence[Underway],
+        others: Sequence[Underway] = (),
+        t: float | None = None,
+    ) -> Placed:
+        """Where the partner's next action belongs.
+
+        Args:
+            seen: the action.
+            current: the episode under way, perhaps one without any action yet.
+            helped: those of which only the robot's part is left, oldest first.
+            others: the open episodes of other partners.
+            t: when, in seconds.
+        """
+
+    def closed(self, episode: Underway) -> None:
+        """Told when an episode is over."""
+
+    def did(self, action: Compound, robot: str, t: float) -> None:
+        """Told what the robot did of its part."""
+
+
+class BySight:
+    """Segments by what readings say of the next action alone, in constant time and memory.
+
+    Args:
+        fresh: makes a reading in which nothing was observed.
+    """
+
+    def __init__(self, fresh: Callable[[], Reading]) -> None:
+        self._fresh = fresh
+        self._last: Underway | None = None  # the episode that closed last
+
+    def closed(self, episode: Underway) -> None:
+        """Its steps may be seen once more."""
+        self._last = episode
+
+    def did(self, action: Compound, robot: str, t: float) -> None:
+        """Of no matter to what is seen next."""
+
+    def place(
+        self,
+        seen: Seen,
+        current: Underway,
+        helped: Sequence[Underway],
+        others: Sequence[Underway] = (),
+        t: float | None = None,
+    ) -> Placed:
+        """See `Segments`."""
+        is_open = bool(current.reading.observations)
+        refusals = []
+        for episode in ([current] if is_open else []) + list(reversed(helped)):
+            refusal = refusal_of(seen, episode)
+            if refusal is None:
+                return GoesOn(episode)
+            refusals.append(refusal)
+        if is_beginning(self._fresh(), seen):
+            return Begins(because_of(refusals[0], current) if is_open else "")
+        for episode in others:
+            if refusal_of(seen, episode) is None:
+                return GoesOn(episode)
+        if is_open:
+            return self._odd(seen, current, refusals[0])
+        if self._last is not None and self._last.contains(seen):
+            return LeftOut(f"is left out: {self._last.goal}, which has it, is over")
+        refusal = refusal_of(seen, current)
+        return GoesOn(current) if refusal is None else _left_out(refusal)
+
+    def _odd(self, seen: Seen, current: Underway, refusal: Refusal) -> Placed:
+        """What is no step and no beginning is needless, where the reading allows such actions."""
+        if current.reading.options.noise is None:
+            return _left_out(refusal)
+        if len(current.reading.observations) >= LONGEST:
+            return Begins(f"{LONGEST} actions were seen of it")
+        current.reading.observe(seen)
+        return GoesOn(current)
+
+
+def is_beginning(reading: Reading, seen: Seen) -> bool:
+    """Whether a goal can begin with the action, with nothing missed; the reading, which is empty, takes it in."""
+    reading.observe(seen)
+    first = reading.first
+    return first is not None and not first.missed and not first.needless
+
+
+def refusal_of(seen: Seen, episode: Underway) -> Refusal | None:
+    """Why the episode does not take the action as a step; None when it does, and has."""
+    reading = episode.reading
+    reading.observe(seen)
+    first = reading.first
+    if first is not None and len(reading.observations) - 1 not in first.needless:
+        return None
+    refusal = dict(reading.rejected)
+    reading.undo()
+    return refusal
+
+
+def because_of(refusal: Refusal, episode: Underway) -> str:
+    """Why the episode is over, as far as its own goal says."""
+    goal = episode.goal or ""
+    reasons = ", ".join(refusal.get(goal, ())) or rejected_text(refusal)
+    return reasons or f"no step of {goal} can be that now"
+
+
+def _left_out(refusal: Refusal) -> LeftOut:
+    return LeftOut(f"fits no plan any more and is left out ({rejected_text(refusal)})")

@@ -1,0 +1,215 @@
+"""A course of episodes: where each action belongs, how episodes end, and what is withdrawn."""
+
+import pytest
+
+from casper import Domain
+from casper.engine.reading.course import MOST_HELPED, Course
+from casper.engine.reading.policy import best
+from casper.engine.reading.reading import Reading
+from casper.engine.recognition.options import Options
+from casper.engine.verification.matching import NameMatcher
+from casper.engine.verification.observation import Observation
+from casper.kb.errors import CasperError
+from casper.kb.terms.terms import Compound
+from casper.plans.library import PlanLibrary
+
+HOME = """
+goal(tea). tea --> boil, pour, drink, rinse.
+goal(toast). toast --> slice, grill, eat.
+goal(mail). mail --> fetch, open.
+"""
+
+
+def course(text=HOME, can=("rinse",), **options):
+    """A course over plans by name, with a robot that can do some actions."""
+    stops = options.pop("stops", False)
+    library = PlanLibrary.from_text(text)
+    capability = lambda s, leaf, _: (s.leaves[leaf], s.leaves[leaf][0] in can)  # noqa: E731
+    fresh = lambda: Reading(library, NameMatcher(library.ways), best, capability, Options(**options))  # noqa: E731
+    return Course("ann", "bot", fresh, stops=stops)
+
+
+def seen(day, *actions, after=0.0):
+    """The events of actions, one a second."""
+    return [e for t, a in enumerate(actions, 1) for e in day.read(Observation(a, ()), after + t)]
+
+
+def told(events, *types):
+    return [(e.type, e.data["goal"], e.data.get("outcome")) for e in events if e.type in types]
+
+
+def rows(day):
+    return [(row["goal"], row["outcome"]) for row in day.rows]
+
+
+def test_when_all_of_a_goal_was_seen_its_episode_is_finished_and_the_next_action_begins_another():
+    day = course()
+    seen(day, "slice", "grill", "eat", "fetch", "open")
+    assert rows(day) == [("toast", "finished"), ("mail", "finished")]
+
+
+def test_an_episode_says_whose_it_is_from_when_to_when_and_how_much_was_seen():
+    day = course()
+    *_, last = seen(day, "slice", "eat")
+    assert (last.type, last.t) == ("episode", 2.0)
+    assert last.data == {
+        "agent": "ann", "goal": "toast", "outcome": "finished", "from": 1.0, "to": 2.0, "observed": 2, "missed": 1,
+    }  # fmt: skip
+
+
+def test_what_fits_no_more_and_begins_another_goal_means_that_the_first_was_given_up():
+    day = course()
+    events = seen(day, "slice", "fetch", "open")
+    assert told(events, "episode") == [("episode", "toast", "abandoned"), ("episode", "mail", "finished")]
+    assert [row["to"] for row in day.rows] == [1.0, 3.0]  # it ended when it was last touched
+
+
+def test_what_was_announced_for_a_goal_that_is_given_up_is_withdrawn_with_the_reason_before_anything_else():
+    events = seen(course(), "boil", "slice")
+    at = [e.type for e in events].index("withdrawn")
+    assert [e.type for e in events][at : at + 4] == ["withdrawn", "episode", "reading", "prediction"]
+    withdrawn = events[at]
+    assert (withdrawn.data["agent"], withdrawn.data["partner"], withdrawn.data["goal"]) == ("bot", "ann", "tea")
+    assert withdrawn.data["because"] == "ann went over to slice: tea has no slice"
+
+
+def test_nothing_is_withdrawn_where_the_robot_could_do_nothing():
+    assert not told(seen(course(can=()), "boil", "slice"), "withdrawn")
+
+
+def test_an_episode_of_which_only_the_robots_part_is_left_stays_open_until_the_robot_has_done_it():
+    day = course()
+    events = seen(day, "boil", "pour", "drink", "slice")
+    assert not told(events, "episode", "withdrawn")
+    (end,) = day.did(Compound(("rinse",)), 9.0)
+    assert (end.data["goal"], end.data["outcome"], end.data["to"]) == ("tea", "finished", 9.0)
+    seen(day, "grill", "eat", after=10.0)
+    assert rows(day) == [("tea", "finished"), ("toast", "finished")]
+
+
+def test_the_partner_may_do_what_they_had_left_to_the_robot():
+    day = course()
+    events = seen(day, "boil", "pour", "drink", "slice", "rinse", "grill", "eat")
+    assert told(events, "episode") == [("episode", "tea", "finished"), ("episode", "toast", "finished")]
+
+
+def test_a_part_that_the_robot_fails_in_leaves_it_unclear():
+    day = course()
+    seen(day, "boil", "pour", "drink")
+    assert told(day.failed(Compound(("rinse",)), 5.0), "episode") == [("episode", "tea", "unclear")]
+
+
+def test_what_the_robot_did_for_nobody_changes_nothing():
+    day = course()
+    seen(day, "boil")
+    assert list(day.did(Compound(("sweep",)), 5.0)) == []
+
+
+def test_an_action_that_has_to_be_done_twice_is_not_done_with_once():
+    day = course("goal(g). g --> a, wipe, wipe. goal(h). h --> b.", can=("wipe",))
+    seen(day, "a")
+    assert list(day.did(Compound(("wipe",)), 2.0)) == []
+    assert told(day.did(Compound(("wipe",)), 3.0), "episode") == [("episode", "g", "finished")]
+
+
+def test_an_action_that_fits_nothing_is_left_out_and_the_episode_goes_on():
+    day = course()
+    events = seen(day, "slice", "pour", "grill", "eat")
+    assert [e.data["message"].split(" (")[0] for e in events if e.type == "warning"] == ["pour fits no plan any more and is left out"]
+    assert rows(day) == [("toast", "finished")]
+
+
+def test_where_it_stops_an_action_that_fits_nothing_is_refused():
+    day = course(stops=True)
+    seen(day, "slice")
+    with pytest.raises(CasperError, match="pour fits no plan any more"):
+        seen(day, "pour")
+
+
+def test_a_step_seen_once_more_after_its_goal_was_finished_begins_nothing():
+    day = course()
+    events = seen(day, "slice", "grill", "eat", "eat")
+    assert events[-1].data["message"] == "eat is left out: toast, which has it, is over"
+    assert rows(day) == [("toast", "finished")]
+
+
+def test_the_same_goal_may_be_pursued_again():
+    day = course()
+    seen(day, *["slice", "grill", "eat"] * 3)
+    assert rows(day) == [("toast", "finished")] * 3
+
+
+def test_a_goal_whose_first_step_went_unseen_is_read_too():
+    day = course()
+    seen(day, "slice", "grill", "eat", "pour", "drink")
+    assert day.current.goal == "tea"
+    assert day.current.explanation.missed == 1
+
+
+def test_an_episode_is_not_closed_while_another_goal_may_still_be_meant():
+    day = course("goal(g). g --> a. goal(h). h --> a, b.")
+    assert not told(seen(day, "a"), "episode")
+    assert told(seen(day, "b"), "episode") == [("episode", "h", "finished")]
+    day = course("goal(g). g --> a. goal(h). h --> a, b.")
+    assert told(seen(day, "a", "a"), "episode") == [("episode", "g", "finished")]
+
+
+def test_an_optional_end_is_waited_for_and_not_demanded():
+    text = "goal(g). g --> a, optional(b). goal(h). h --> c."
+    assert rows_of(text, "a", "b") == [("g", "finished")]
+    assert rows_of(text, "a", "c") == [("g", "finished"), ("h", "finished")]
+
+
+def rows_of(text, *actions):
+    day = course(text)
+    seen(day, *actions)
+    return rows(day)
+
+
+def test_an_episode_without_a_goal_ends_unclear():
+    assert rows_of("goal(g). g --> a, b. goal(h). h --> a, c. goal(i). i --> d.", "a", "d") == [(None, "unclear"), ("i", "finished")]
+
+
+def test_at_the_end_what_is_open_is_unclear():
+    day = course()
+    seen(day, "boil", "pour", "drink", "slice")
+    assert told(day.end(9.0), "episode") == [("episode", "tea", "unclear"), ("episode", "toast", "unclear")]
+    assert list(day.end(9.0)) == []
+
+
+def test_where_needless_actions_have_a_price_one_that_begins_a_goal_begins_it():
+    day = course(noise=0.1)
+    events = seen(day, "slice", "pour", "grill", "fetch", "open")
+    assert not told(events, "warning")
+    assert rows(day) == [("toast", "abandoned"), ("mail", "finished")]
+    assert day.rows[0]["observed"] == 2
+
+
+def test_a_second_goal_beside_the_first_is_one_episode_with_it():
+    day = course(goals=2)
+    seen(day, "slice", "fetch", "grill", "open", "eat")
+    assert [row["outcome"] for row in day.rows][-1] == "finished"
+    assert not any(row["outcome"] == "abandoned" for row in day.rows)
+
+
+def test_of_many_parts_that_the_robot_never_does_the_oldest_are_given_up_as_unclear():
+    day = course()
+    for n in range(MOST_HELPED + 3):
+        seen(day, "boil", "pour", "drink", after=10.0 * n)
+    assert len(day.helped) == MOST_HELPED
+    assert rows(day) == [("tea", "unclear")] * 2
+
+
+def test_the_reading_of_a_new_episode_knows_what_was_done_before(tmp_path):
+    (tmp_path / "ontology.pl").write_text(
+        "human(ann). pot(pot). boil(A, P) :- human(A), pot(P). pour(A, P) :- human(A), pot(P). oil(A, P) :- human(A), pot(P).\n"
+        'never("a pot that was oiled boils no water") :- claim(boil(_, P)), did(oil(_, P), _).\n'
+    )
+    (tmp_path / "plans.pl").write_text("goal(tea(P)) :- pot(P). tea(P) --> boil(P), pour(P).\n")
+    domain = Domain.load(tmp_path)
+    before = domain.reading()
+    before.observe("boil(pot)")
+    after = domain.reading(earlier=[Compound(("oil", "ann", "pot"))])
+    after.observe("boil(pot)")
+    assert (before.count, after.count) == (1, 0)
+    assert after.rejected["tea"] == ("a pot that was oiled boils no water",)
