@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from casper.batch.backends import check_jobs, results
 from casper.batch.journal import Journal, about
-from casper.batch.rows import Rows, rows_of
-from casper.batch.tables import check_table, write_table
+from casper.batch.rows import Rows
+from casper.batch.tables import check_table, rows_of, write_table
 from casper.batch.tasks import TASKS, Result
 from casper.batch.workers import chunks_of, job_of, work_on
 from casper.engine.domain.domain import Domain

@@ -22,21 +22,6 @@ class Row:
     mistake: str = ""
 
 
-def rows_of(source: Rows, key: str) -> list[Row]:
-    """The rows of a table's file (`tables.read_table`), or of Python values.
-
-    A value that is no mapping is taken for the one thing that is worked on: ``{key: value}``.
-
-    Raises:
-        CasperError: a file that is no table, or cannot be read.
-    """
-    if isinstance(source, (str, Path)):
-        from casper.batch.tables import read_table
-
-        return list(read_table(Path(source)))
-    return [Row(number, dict(one) if isinstance(one, Mapping) else {key: one}) for number, one in enumerate(source, 1)]
-
-
 def texts_of(value: Any, key: str) -> list[str]:
     """A list of texts: as it is, or one text with its parts between semicolons.
 

@@ -13,10 +13,23 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from casper.batch.rows import Row, at
+from casper.batch.rows import Row, Rows, at
 from casper.kb.errors import CasperError
 
 csv.field_size_limit(1 << 24)
+
+
+def rows_of(source: Rows, key: str) -> list[Row]:
+    """The rows of a table's file (`read_table`), or of Python values.
+
+    A value that is no mapping is taken for the one thing that is worked on: ``{key: value}``.
+
+    Raises:
+        CasperError: a file that is no table, or cannot be read.
+    """
+    if isinstance(source, (str, Path)):
+        return list(read_table(Path(source)))
+    return [Row(number, dict(one) if isinstance(one, Mapping) else {key: one}) for number, one in enumerate(source, 1)]
 
 
 def read_table(file: Path) -> Iterator[Row]:
