@@ -23,7 +23,7 @@ from casper.kb.text.lines import text_of
 from casper.kb.text.reader import read_statement, read_text
 from casper.kb.text.writer import program_lines, program_text
 from casper.plans.grammar.expansion import MOST_PLANS, expand
-from casper.plans.grammar.shapes import SHAPES
+from casper.plans.grammar.shapes import items_in
 from casper.plans.grammar.simple import simple_term
 from casper.plans.trees.plan import Plan
 from casper.plans.trees.spelling import spelled_out
@@ -221,13 +221,4 @@ def _general(head: Compound) -> Compound:
 
 def _mentioned(body: Term) -> Iterable[tuple[str, int]]:
     """Name and arity of every item of a production's body, through brackets, shapes and alternatives."""
-    waiting, found = [body], []
-    while waiting:
-        item = waiting.pop()
-        if isinstance(item, str):
-            found.append((item, 0))
-        elif isinstance(item, Compound):
-            found.append(item.indicator)
-            if item.functor in SHAPES or item.functor in (".", ":"):  # the lists and labels of steps
-                waiting.extend(item[1:])
-    return found
+    return [predication(item).indicator for item in items_in(body) if isinstance(item, (str, Compound))]

@@ -10,8 +10,9 @@ from casper.kb.checks.finding import Finding, Severity, error, finding_of, warni
 from casper.kb.errors import CasperError, Place
 from casper.kb.terms.clauses import Clause, Indicator, Production, Sentence
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, Term, as_term, list_items, predication
-from casper.plans.grammar.shapes import SHAPES
+from casper.kb.terms.terms import NIL, Compound, Term, as_term, predication
+from casper.plans.grammar.conditions import is_condition
+from casper.plans.grammar.shapes import BY, items_in
 from casper.plans.library import GOAL, RECURSION, PlanLibrary
 
 if TYPE_CHECKING:
@@ -22,17 +23,10 @@ _MARK = "_production"  # an action that no text can see: it tells which producti
 
 def items_of(body: Term) -> Iterator[Compound]:
     """Every action and task that a production's body mentions, through brackets, shapes and alternatives."""
-    if not isinstance(body, (str, Compound)):
-        return
-    term = predication(body)
-    if term.functor == "steps" and term.arity == 2:
-        for entry in list_items(term[1])[0]:
-            yield from items_of(entry[2] if isinstance(entry, Compound) and entry.indicator == (":", 2) else entry)
-    elif term.functor in SHAPES and term.args:
-        for arg in term.args:
-            yield from items_of(arg)
-    else:
-        yield term
+    for item in items_in(body):
+        done = item[2] if isinstance(item, Compound) and item.indicator == BY else item
+        if isinstance(done, (str, Compound)) and done != NIL and not is_condition(done):
+            yield predication(done)
 
 
 def check_plans(sentences: Iterable[Sentence], is_action: Callable[[Indicator], bool] | None) -> list[Finding]:

@@ -15,6 +15,7 @@ from casper.kb.terms.terms import NIL, Compound, Term, list_items
 from casper.kb.terms.unification import renamed
 
 MOST_TIMES = 1000
+BY = ("by", 2)  # an action with who does it
 Items: TypeAlias = tuple[Term, ...]
 Order: TypeAlias = frozenset[tuple[int, int]]
 """Pairs of item numbers of which the first comes before the second."""
@@ -84,3 +85,21 @@ CHOICES: dict[str, Callable[[Compound, Place], Iterator[Items]]] = {
     "repeat": _repeat,
 }
 SHAPES = frozenset({*CHOICES, "unordered", "steps"})
+
+
+def items_in(body: Term) -> Iterator[Term]:
+    """Every item of a production's body, from left to right, through brackets, shapes, alternatives and labels.
+
+    An item is an action, a task, a condition ``{Goal}``, a step ``by(Who, Action)``, or ``[]``.
+    """
+    waiting = [body]
+    while waiting:
+        item = waiting.pop()
+        if isinstance(item, Compound) and item.indicator == ("steps", 2):
+            entries = list_items(item[1])[0]
+            waiting.extend(x[2] if isinstance(x, Compound) and x.indicator == (":", 2) else x for x in entries[::-1])
+        elif isinstance(item, Compound) and item.functor in SHAPES and item.args:
+            times = item.functor == "repeat" and item.arity == 3
+            waiting.extend(reversed(item.args[:1] if times else item.args))
+        else:
+            yield item
