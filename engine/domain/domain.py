@@ -28,7 +28,7 @@ from casper.kb.base import KnowledgeBase
 from casper.kb.errors import DomainError, PlanError
 from casper.kb.program.refusals import undefined_sentence
 from casper.kb.terms.clauses import Clause, Production, Sentence
-from casper.kb.terms.terms import Compound
+from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import substitute
 from casper.kb.text.files import is_there, real
 from casper.kb.text.lines import Line, text_of
@@ -224,8 +224,10 @@ def build(name: str, folder: Path, sentences: dict[str, list[Sentence]]) -> Doma
         kb.add(condition_clauses(library.productions))
     written = {s.head.indicator for s in everything if isinstance(s, Clause)}
     derived = [clause for clause in plan_clauses(library) if clause.head.indicator not in written]
-    if library.ways and not library.goal_clauses:
-        kb.add(Clause(Compound(("goal", p.goal if len(p.goal) > 1 else p.goal[0]))) for p in library.ways)
+    library.check()
+    if library.productions and not library.goal_clauses:
+        goals = [p.goal for p in library.ways] if library.is_listed else [goal for goal, _ in library.goal_terms]
+        kb.add(Clause(Compound(("goal", as_term(goal)))) for goal in goals)
     kb.add(derived)
     kb.declare_statements((action, arity + 1) for action, arity in library.actions)
     kb.compile()

@@ -7,7 +7,7 @@ depends on what happened earlier (did/2), otherwise until the next observation.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from casper.engine.verification.conditions import Conditions
 from casper.engine.verification.matching import (
@@ -103,13 +103,13 @@ class VerifyingMatcher(ParameterMatcher):
         """
         chosen, moment = self.plans[plan], len(self._histories) - 1
         width = len(chosen.variables)
-        values, waiting = binding[:width], [*binding[width:]]
+        values, waiting = binding[:width], list[Any](binding[width:])
         for number, is_past in due:
             looks_back = self._conditions.looks_back(chosen.conditions[number].term)
             waiting.append((number, moment + is_past if looks_back else 0))
         before: Binding | None = None
         while waiting and values != before:  # what one settles another may need
-            before, still = values, []
+            before, still = values, list[Any]()
             for number, then in waiting:
                 history = self._histories[then] if then <= moment else self._after(observation)
                 answer = self._conditions.ask(chosen.conditions[number].term, bindings_of(chosen, values), history)

@@ -17,22 +17,26 @@ from typing import Literal as OneOf
 from typing import TypeAlias
 
 from casper.kb.errors import Place, PlanError
-from casper.kb.terms.clauses import Literal, Production
+from casper.kb.terms.clauses import Production
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import NIL, Compound, Term, Variable, as_term, predication
+from casper.kb.terms.terms import NIL, Compound, Term, as_term, predication
 from casper.kb.terms.unification import Bindings, is_ground, renamed, unify
 from casper.plans.grammar.conditions import is_condition, relation_of
 from casper.plans.grammar.naming import called, settled, settles, with_values
 from casper.plans.grammar.shapes import BY, CHOICES, SHAPES, Items, partial_order
+from casper.plans.grammar.steps import NO_ACTIONS, ONLY_NAMES, checked_action, checked_step
 from casper.plans.trees.nodes import Action, Condition, Node, Shape, Task, conditions_below, is_hollow
 from casper.plans.trees.plan import Plan
 
+
+class Unlisted(PlanError):
+    """Plans that have no end, or are too many to be listed: they are read as the grammar they are, if at all."""
+
+
 MOST_PLANS = 100_000
 MOST_ITEMS = 20_000  # of one goal, with everything it may be done by
-_BOUND = "setting(plans, recursion, N) says how often it may"
+MOST_WORK = 200_000  # items of all goals together, and fifty for each production: then nothing is listed
 _LOWER = "lower the bound of its recursion or repetition, or give the goal fewer choices"
-NO_ACTIONS = frozenset({"{}", NIL, "by"})
-_ONLY_NAMES = "an item of a plan is an action or a task, such as wash(Plate, sink)"
 
 
 def expand(
@@ -54,19 +58,20 @@ def expand(
         PlanError: see `casper.plans.library.PlanLibrary.plans`.
     """
     grammar = _Grammar(productions, recursion)
-    labels = _labels([goal for goal, _ in goals])
     total = 0
-    for (goal, place), label in zip(goals, labels):
+    for (goal, place), label in zip(goals, labels([goal for goal, _ in goals])):
         if goal.indicator not in grammar.methods:
             raise PlanError(f"the goal {term_text(as_term(goal))} has no production: write {goal.functor} --> …", place)
         way = 0
         for root in _roots(grammar, goal, place):
+            if is_hollow(root) and conditions_below(root):
+                continue  # where nothing is to be done there is nothing to be seen
             if _can_be_empty(root):
                 raise PlanError(f"a plan of {label} has no action at all", place)
             yield Plan(label, root, way, place)
             way, total = way + 1, total + 1
             if total > most_plans:
-                raise PlanError(f"the library has more than {most_plans} plans; {label} alone has {way}", place)
+                raise Unlisted(f"the library has more than {most_plans} plans; {label} alone has {way}", place)
         if not way:
             raise PlanError(f"no choice of productions completes the goal {label}: their parameters disagree", place)
 
@@ -83,10 +88,11 @@ def _roots(grammar: _Grammar, goal: Compound, place: Place) -> Iterator[Task]:
             assert isinstance(root, Task)
             yield root
     except RecursionError:
-        raise PlanError(f"the plans of {goal.functor} are nested too deeply; {_LOWER}", place) from None
+        raise Unlisted(f"the plans of {goal.functor} are nested too deeply; {_LOWER}", place) from None
 
 
-def _labels(goals: Sequence[Compound]) -> list[str]:
+def labels(goals: Sequence[Compound]) -> list[str]:
+    """What each goal is called: its name, or the whole term where several share the name."""
     names = Counter(goal.functor for goal in goals)
     return [g.functor if names[g.functor] == 1 else term_text(as_term(g)) for g in goals]
 
@@ -109,6 +115,7 @@ class _Grammar:
         self.methods: dict[tuple[str, int], list[Production]] = {}
         self.serial = self.items = 0
         self.recursion = recursion
+        self.work = MOST_WORK + 50 * len(productions)
         self.actions: set[tuple[Term, int]] = set()  # those that were looked at, by name and length
         for production in productions:
             self.methods.setdefault(production.head.indicator, []).append(production)
@@ -135,7 +142,7 @@ class _Grammar:
             return
         if inside > self.recursion:
             circle = " needs ".join(str(t.functor) for t in (*above, term))
-            raise PlanError(f"the task {term.functor} contains itself ({circle}); a plan must end: {_BOUND}", place)
+            raise Unlisted(f"the task {term.functor} contains itself ({circle}), so its plans are not listed", place)
         serial, ways, fits = self.serial, list[Way](), False
         for production in self.methods[term.indicator]:
             head, body = production.head, production.body
@@ -154,7 +161,7 @@ class _Grammar:
     def item(self, item: Term, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Ways:
         """Every way to do one item of a body."""
         if not isinstance(item, (str, Compound)):
-            raise PlanError(f"{term_text(renamed([item], 0)[0])} cannot stand in a plan: {_ONLY_NAMES}", place)
+            raise PlanError(f"{term_text(renamed([item], 0)[0])} cannot stand in a plan: {ONLY_NAMES}", place)
         term = predication(item)
         self.count(place)
         if item == NIL:
@@ -164,35 +171,23 @@ class _Grammar:
         elif is_condition(item):
             yield (Condition(relation_of(term), place),), bindings
         elif term.indicator == BY and BY not in self.methods:
-            yield (self.step(term, place),), bindings
+            yield (checked_step(term, place, self.methods.__contains__),), bindings
         elif term.functor in SHAPES and term.args and term.indicator not in self.methods:
             yield from self.shape(term, bindings, above, place)
         elif term.indicator in self.methods:
             for task, extended in self.task(term, bindings, above, place):
                 yield (task,), extended
         else:
-            _check_action(term, place)
-            yield (Action(term, place),), bindings
-
-    def step(self, term: Compound, place: Place) -> Action:
-        """An action with who does it."""
-        who, what = term.args
-        done = predication(what) if isinstance(what, (str, Compound)) else None
-        if done is None or done.functor in SHAPES or is_condition(done):
-            raise PlanError(f"{term_text(term)} cannot stand in a plan: by takes who, and an action", place)
-        if done.indicator in self.methods:
-            fix = f"put by into the productions of {done.functor}"
-            raise PlanError(f"by says whose step an action is, and {done.functor} is a task: {fix}", place)
-        if not isinstance(who, (str, Variable)):
-            raise PlanError(f"{term_text(who)} does nothing: by takes an agent, a variable or robot", place)
-        _check_action(done, place)
-        return Action(done, place, who)
+            yield (checked_action(term, place),), bindings
 
     def count(self, place: Place) -> None:
         """One item more of the goal; no goal may have too many."""
         self.items += 1
         if self.items > MOST_ITEMS:
-            raise PlanError(f"a goal has more than {MOST_ITEMS} steps with all its choices; {_LOWER}", place)
+            raise Unlisted(f"a goal has more than {MOST_ITEMS} steps with all its choices; {_LOWER}", place)
+        self.work -= 1
+        if self.work < 0:
+            raise Unlisted("all goals together have too many steps with all their choices", place)
 
     def shape(self, term: Compound, bindings: Bindings, above: tuple[Compound, ...], place: Place) -> Ways:
         """Every way to do what stands in a shape."""
@@ -259,7 +254,7 @@ class _Grammar:
         if name not in self.actions:
             if term.indicator in self.methods or term[0] in SHAPES or term[0] in NO_ACTIONS:
                 return False
-            _check_action(term, place)
+            checked_action(term, place)
             self.actions.add(name)
         return True
 
@@ -296,10 +291,3 @@ def _choice(ways: Sequence[Node]) -> Node:
 def _is_asked_alone(nodes: Sequence[Node]) -> bool:
     """Whether nothing is done there but to ask: whether it is done cannot be seen, so it is a way of its own."""
     return all(map(is_hollow, nodes)) and any(map(conditions_below, nodes))
-
-
-def _check_action(term: Compound, place: Place) -> None:
-    named = term.functor[:1].isalpha() or term.functor[:1] == "_"
-    if not named or Literal(term).is_comparison:
-        shown = term_text(renamed([as_term(term)], 0)[0], sequences=True)
-        raise PlanError(f"{shown} cannot stand in a plan: {_ONLY_NAMES}", place)

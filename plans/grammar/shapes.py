@@ -66,16 +66,22 @@ def _sorted(items: dict[Term, Term], pairs: list[tuple[Term, Term]], place: Plac
 
 def _repeat(term: Compound, place: Place) -> Iterator[Items]:
     """As often as must be, and then once more, and once more, as long as it may be."""
-    *item, least, most = term.args if term.arity == 3 else (None, None, None)
+    item, least, most = times_of(term, place)
+    more: Items = ()
+    for _ in range(most - least):
+        more = (Compound(("optional", item, *more)),)
+    return iter([((item,) * least + more)])
+
+
+def times_of(term: Compound, place: Place) -> tuple[Term, int, int]:
+    """The item of ``repeat``, and how often it is done at least and at most."""
+    item, least, most = term.args if term.arity == 3 else (None, None, None)
     if type(least) is not int or type(most) is not int or not 0 <= least <= most or most == 0:
         shown = term_text(renamed([term], 0)[0], sequences=True)
         raise PlanError(f"{shown}: repeat takes an item and two whole numbers: repeat(stir, 1, 3)", place)
     if most > MOST_TIMES:
         raise PlanError(f"repeat does an item at most {MOST_TIMES} times, not {most}", place)
-    more: Items = ()
-    for _ in range(most - least):
-        more = (Compound(("optional", *item, *more)),)
-    return iter([(*item * least, *more)])
+    return item, least, most
 
 
 CHOICES: dict[str, Callable[[Compound, Place], Iterator[Items]]] = {
