@@ -115,12 +115,13 @@ class Tables:
             path[task] = None
             task = self._endless_item(task)
         around = list(path)[list(path).index(task) :]
-        start = min(range(len(around)), key=lambda at: self._number[around[at]])
+        start = min(range(len(around)), key=lambda at: self.number[around[at]])
         circle = (*around[start:], *around[:start])
         return circle, self.grammar.methods(circle[0])[0].place
 
     @cached_property
-    def _number(self) -> Mapping[Indicator, int]:
+    def number(self) -> Mapping[Indicator, int]:
+        """Each task's number, in the order of the first productions."""
         return {task: number for number, task in enumerate(self.grammar.tasks)}
 
     def _endless_item(self, task: Indicator) -> Indicator:
@@ -204,36 +205,23 @@ class Tables:
         return masks
 
     @cached_property
-    def corners(self) -> Mapping[Indicator, frozenset[Indicator]]:
-        """By task the tasks that it can begin with: its left corners, through any number of methods."""
-        direct = {
-            task: {x for method in methods for x in self._corners_of(method.body)}
-            for task, methods in self.grammar.everything.items()
-        }
-        found: dict[Indicator, frozenset[Indicator]] = {}
-        for task in direct:
-            reached: set[Indicator] = set()
-            waiting = list(direct[task])
-            while waiting:
-                other = waiting.pop()
-                if other not in reached:
-                    reached.add(other)
-                    waiting.extend(direct.get(other, ()))
-            found[task] = frozenset(reached)
-        return found
+    def begins(self) -> Mapping[Indicator, int]:
+        """By task the mask (by `number`) of the tasks that it can begin with while nothing is missed."""
+        return self._closure(self._begun_in)
 
-    def _corners_of(self, item: Item) -> Iterator[Indicator]:
+    def _begun_in(self, item: Item, known: Mapping[Indicator, int]) -> int:
         if isinstance(item, Call):
-            yield item.term.indicator
-        elif isinstance(item, Group):
-            for each in item.items:
-                yield from self._corners_of(each)
-                if item.kind in ("sequence", "optional") and self.least_of(each):
-                    return
-
-    def is_left_recursive(self, task: Indicator) -> bool:
-        """Whether the task can begin with itself."""
-        return task in self.corners[task]
+            return 1 << self.number[item.term.indicator] | known[item.term.indicator]
+        if not isinstance(item, Group):
+            return 0
+        mask = 0
+        for number, each in enumerate(item.items):
+            if item.kind == "steps" and any(self.least_of(item.items[a]) for a, b in item.order if b == number):
+                continue
+            mask |= self._begun_in(each, known)
+            if item.kind in ("sequence", "optional") and self.least_of(each):
+                break
+        return mask
 
     # --- what is reached -------------------------------------------------------------------------------------------
 
