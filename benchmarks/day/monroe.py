@@ -60,7 +60,8 @@ ACTIONS = {
     "sign": "site", "refuel": "tool", "wire": "generator place", "flip": "place", "dig": "digger place",
     "weld": "place", "fill": "tank", "tap": "tank place", "call": "site", "announce": "place", "count": "place",
     "unlock": "place", "warm": "place", "cook": "place", "blanket": "victim",
-    "splice": "place", "test_line": "place", "patrol": "site", "find": "victim place", "note": "victim", "wash_up": "place",
+    "splice": "place", "test_line": "place", "patrol": "site", "find": "victim place", "note": "victim",
+    "wash_up": "place",
 }  # fmt: skip
 PLANS = """\
 goal(clear_wreck(R)) :- road(R).
@@ -87,10 +88,10 @@ man(_) --> [].
 man(V) --> {driver(D), vehicle(V), site(S)}, get_to(D, S), climb_in(V).
 carry(T, V, S) --> {truck(V), tool(T), site(Q)}, get_to(V, Q), load(T, V), get_to(V, S), unload(T, V).
 
-clear_wreck(R) --> close_off(R), tow_away(R), optional(tidy(R)).
+clear_wreck(R) --> tow_away(R), close_off(R), optional(tidy(R)).
 tow_away(R) --> {truck(T)}, get_to(T, R), tow(T, R).
 tidy(R) --> {labourer(L)}, get_to(L, R), sweep(R).
-clear_tree(R) --> close_off(R), cut_up(R), drag(R), optional(tidy(R)).
+clear_tree(R) --> cut_up(R), drag(R), close_off(R), optional(tidy(R)).
 cut_up(R) --> {saw(S)}, get_to(S, R), run(S), saw_up(S, R), optional(stop(S)).
 run(T) --> {tool(T)}, fuelled(T), start(T).
 fuelled(_) --> [].
@@ -269,14 +270,13 @@ class Episodes:
             self.do("sweep", road)
 
     def clear_wreck(self, road: str) -> None:
-        self.close_off(road)
         truck = self.any("truck")
         self.vehicle_to(truck, road)
         self.do("tow", truck, road)
+        self.close_off(road)
         self.tidy(road)
 
     def clear_tree(self, road: str) -> None:
-        self.close_off(road)
         saw = self.any("saw")
         self.tool_to(saw, road)
         self.run(saw)
@@ -284,6 +284,7 @@ class Episodes:
         if self.likely(0.5):
             self.do("stop", saw)
         self.do("drag", road)
+        self.close_off(road)
         self.tidy(road)
 
     def restore_power(self, place: str) -> None:

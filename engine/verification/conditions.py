@@ -7,7 +7,7 @@ undefined, and what several values would satisfy stays open.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import islice
 from typing import TypeAlias
 
@@ -16,10 +16,11 @@ from casper.kb.errors import BudgetExceeded, ProgramError, Undefined
 from casper.kb.reasons.validity import History
 from casper.kb.reasons.why_not import Refusal
 from casper.kb.terms.clauses import Literal
-from casper.kb.terms.terms import Compound
+from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify, variables_of
 
 MOST_REMEMBERED = 200_000  # answers; then all are forgotten
+MOST_VALUES = 300  # of a condition that are compared with those of others
 Answer: TypeAlias = "Compound | Refusal | None"  # as it holds, why it does not, or that this is open
 
 
@@ -58,6 +59,32 @@ class Conditions:
                 self._known.clear()
             self._known[key] = self._answer(atom, history)
         return self._known[key]
+
+    def hold_together(self, atoms: Sequence[Compound], history: History) -> bool | None:
+        """Whether some values satisfy all of the conditions; None: that is not known."""
+        try:
+            solver = self.kb.solver(history=history)
+            return next(solver.rows([Literal(atom) for atom in atoms], list(variables_of(*atoms))), None) is not None
+        except (BudgetExceeded, Undefined, ProgramError):
+            return None
+
+    def values(self, atom: Compound, history: History) -> dict[Variable, frozenset[Term]]:
+        """By variable of a condition the values under which it may hold; none of those for which that is not known."""
+        found: dict[Variable, set[Term]] = {variable: set() for variable in variables_of(atom)}
+        try:
+            for number, instance in enumerate(self._instances(atom, history)):
+                if number >= MOST_VALUES:
+                    return {}
+                bindings = unify(atom, instance, {}) or {}
+                for variable in list(found):
+                    value = substitute(variable, bindings)
+                    if is_ground(value):
+                        found[variable].add(value)
+                    else:
+                        del found[variable]
+        except (BudgetExceeded, Undefined, ProgramError):
+            return {}
+        return {variable: frozenset(values) for variable, values in found.items()}
 
     def _keep_up(self) -> None:
         if self.kb.changes != self._changes:

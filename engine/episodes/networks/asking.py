@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from casper.engine.episodes.networks.terms import Env, numbered, outward, unified
+from casper.engine.episodes.networks.terms import Env, numbered, outward, resolve, slots_of, unified
 from casper.engine.verification.conditions import Conditions
 from casper.kb.base import KnowledgeBase
 from casper.kb.reasons.why_not import Refusal
+from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound
 
 MOST_REMEMBERED = 100_000
@@ -44,6 +45,10 @@ class Asking:
             self.looks_back = self.kb is not None and self.kb.depends_on_history
             self.asks_goals = self.kb is not None and self.kb.defines("goal", 1)
             self._known: dict[Asked, Any] = {}
+            self.closing: dict[Any, bool] = {}  # of links (`corners`): whether they can close
+            self._groups: dict[tuple[Asked, ...], bool | None] = {}
+            self._joined: dict[Any, Env | Failed] = {}
+            self._domains: dict[Asked, dict[Any, frozenset[Any]]] = {}
             self._verdicts: dict[tuple[int, str, Any], tuple[str, ...]] = {}
 
     @property
@@ -67,6 +72,7 @@ class Asking:
         """Take back what was done last."""
         if self.past:
             self.past.pop()
+            self._joined, self._domains, self.closing, self._groups = {}, {}, {}, {}
             self._known = {key: answer for key, answer in self._known.items() if key[0] <= self.now}
             self._verdicts = {key: reasons for key, reasons in self._verdicts.items() if key[0] <= self.now}
 
@@ -78,6 +84,8 @@ class Asking:
         other = Asking(self.kb, list(self.past))
         if not self.looks_back:
             other._known, other._verdicts = self._known, self._verdicts
+            other.closing, other._groups = self.closing, self._groups
+            other._joined, other._domains = self._joined, self._domains
         return other
 
     # --- conditions ------------------------------------------------------------------------------------------------
@@ -113,9 +121,95 @@ class Asking:
                         return Failed((f"{outward(closed)} does not hold",))
                     env = extended
             waiting = still
-            if env is before:
-                break
+            if env is before and waiting:
+                together = self._together(waiting, env)
+                if isinstance(together, Failed):
+                    return together
+                if together is env:
+                    break
+                env = together
         return env, tuple(dict.fromkeys(waiting))
+
+    def needed(self, waiting: Sequence[Asked], env: Env, used: Any) -> tuple[Asked, ...] | Failed:
+        """The open conditions that may still make a difference: not those that others satisfy, whatever becomes of
+        ``used``.
+
+        Conditions that share slots with one another and with nothing else are asked for together, once and for all.
+        """
+        if self.kb is None or not waiting:
+            return tuple(waiting)
+        used = slots_of(resolve(used, env), {})
+        groups: list[tuple[set[Any], list[Asked]]] = []
+        for moment, relation in waiting:
+            relation = resolve(relation, env)
+            slots, members = set(slots_of(relation, {})), [(moment, relation)]
+            apart = [group for group in groups if not group[0] & slots]
+            for group in groups:
+                if group[0] & slots:
+                    slots |= group[0]
+                    members = [*group[1], *members]
+            groups = [*apart, (slots, members)]
+        kept: list[Asked] = []
+        for slots, members in groups:
+            holds = None if any(each in used for each in slots) else self._hold(numbered(tuple(members), {}, {}))
+            if holds is False:
+                return Failed((f"nothing is {' and '.join(term_text(outward(r)) for _, r in members)} at once",))
+            if holds is None:
+                kept.extend(members)
+        return tuple(kept)
+
+    def _hold(self, group: tuple[Asked, ...]) -> bool | None:
+        if group not in self._groups:
+            assert self._conditions is not None
+            moments = {moment for moment, _ in group}
+            atoms = [outward(relation) for _, relation in group]
+            moment = moments.pop()
+            settled = not moments and moment <= self.now
+            self._groups[group] = self._conditions.hold_together(atoms, self._history(moment)) if settled else None
+        return self._groups[group]
+
+    def _together(self, waiting: Sequence[Asked], env: Env) -> Env | Failed:
+        """The substitution after what open conditions leave of each slot's values, where that is one.
+
+        So ``{human(X)}`` and ``{vehicle(X)}`` exclude each other before anything is known of X.
+        """
+        names: Env = {}
+        closed = tuple(dict.fromkeys(numbered(tuple(waiting), env, names)))
+        known = self._joined.get(closed)
+        if known is None:
+            if len(self._joined) > MOST_REMEMBERED:
+                self._joined.clear()
+            known = self._joined[closed] = self._left(closed)
+        if isinstance(known, Failed) or not known:
+            return known or env
+        numbers = {number: name for name, number in names.items()}
+        return {**env, **{numbers[number]: value for number, value in known.items()}}
+
+    def _left(self, waiting: Sequence[Asked]) -> Env | Failed:
+        """By slot the one value that the conditions leave."""
+        left: dict[Any, frozenset[Any]] = {}
+        for moment, relation in waiting:
+            for at, values in self._values(moment, relation).items():
+                left[at] = left[at] & values if at in left else values
+                if not left[at]:
+                    both = [term_text(outward(r)) for _, r in waiting if at in slots_of(r, {})]
+                    return Failed((f"nothing is {' and '.join(both)} at once",))
+        return {at: next(iter(values)) for at, values in left.items() if len(values) == 1}
+
+    def _values(self, moment: int, relation: Any) -> dict[Any, frozenset[Any]]:
+        """By slot of an open condition the values it may have, where they are known."""
+        assert self._conditions is not None
+        names: Env = {}
+        closed = numbered(relation, {}, names)
+        known = self._domains.get((moment, closed))
+        if known is None:
+            atom = outward(closed)
+            found = {} if moment > self.now else self._conditions.values(atom, self._history(moment))
+            ours = {outward(number): number for number in names.values()}
+            known = {ours[variable]: frozenset(map(_inner, values)) for variable, values in found.items()}
+            self._domains[moment, closed] = known
+        numbers = {number: name for name, number in names.items()}
+        return {numbers[number]: values for number, values in known.items()}
 
     def _answer(self, moment: int, relation: Any, doing: Sequence[tuple[Compound, float]]) -> Any:
         """The relation as it holds (the very object, where nothing is bound), a refusal, or None while it is open."""

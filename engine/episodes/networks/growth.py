@@ -23,6 +23,7 @@ from casper.engine.episodes.networks.terms import (
     OPT,
     PAR,
     REP,
+    SEQ,
     Env,
     Row,
     filled,
@@ -38,6 +39,7 @@ from casper.kb.terms.clauses import Indicator
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
 
+MOST_TRIED = 100  # links looked at to see whether one can close
 MOST_PASSED = 30  # tasks within one another that are passed over
 Barred: TypeAlias = tuple[int, int]  # a circle, and the misses with which a task of it is left to links
 FREE: Barred = (-1, -1)
@@ -288,6 +290,48 @@ class Growth:
                 for taken in self.row(filled(method.body, frame), {}, budget, (circle, budget)):
                     self._keep(taken._replace(rest=(*taken.rest, link)), own, found)
 
+    def can_close(self, row: Row, env: Env, due: tuple[Asked, ...]) -> bool:
+        """Whether every task that is under way may still be done."""
+        for item in row:
+            if item[0] is LINK and not self._can_close(item, env, due):
+                return False
+            if item[0] is PAR and not all(self.can_close((each,), env, due) for each in item[1]):
+                return False
+            if item[0] is SEQ and not self.can_close(item[1], env, due):
+                return False
+        return True
+
+    def _can_close(self, link: Any, env: Env, due: tuple[Asked, ...]) -> bool:
+        """Whether there is a way upwards from what was done of a task to all of it, by their parameters and conditions.
+
+        After `MOST_TRIED` steps it is taken for granted.
+        """
+        if self.asking.kb is None and len(link[1]) == 1:
+            return True
+        start = numbered((link, _about(link, due, env)), env, {})
+        known = self.asking.closing.get(start)
+        if known is None:
+            outside = self.fresh
+            known = self.asking.closing[start] = self._search(start)
+            self.fresh = outside
+        return known
+
+    def _search(self, start: Any) -> bool:
+        seen, waiting = {start}, [start]
+        while waiting and len(seen) < MOST_TRIED:
+            link, due = waiting.pop()
+            closed = unified(link[1], link[2], {})
+            if closed is not None and not isinstance(self.asking.settled(due, closed), Failed):
+                return True
+            for row, env, asked in self._upwards(link, len(slots_of((link, due), {}))):
+                settled = self.asking.settled((*due, *asked), env)
+                if not isinstance(settled, Failed):
+                    after = numbered((row[-1], _about(row[-1], settled[1], settled[0])), settled[0], {})
+                    if after not in seen:
+                        seen.add(after)
+                        waiting.append(after)
+        return bool(waiting)
+
     def _keep(self, taken: Taken, own: Any, found: dict[Any, Grown]) -> None:
         settled = self.asking.settled(taken.due, taken.env) if taken.due else (taken.env, ())
         if isinstance(settled, Failed):
@@ -295,6 +339,8 @@ class Growth:
                 self._note(reason)
             return
         env, due = settled
+        if not self.can_close(taken.rest, env, due):
+            return
         names: dict[Any, Any] = {}
         parts = numbered((tuple(own), taken.rest, taken.leaf, due), env, names)
         key = (*parts, taken.is_theirs)
@@ -405,6 +451,14 @@ def _closed(term: Any, env: Env) -> tuple[Any, list[Any]]:
     """A term with its slots numbered from 0, and the slots that they were."""
     names: dict[Any, Any] = {}
     return numbered(term, env, names), list(names)
+
+
+def _about(link: Any, due: tuple[Asked, ...], env: Env) -> tuple[Asked, ...]:
+    """The open conditions that say something of a link's slots."""
+    if not due:
+        return ()
+    slots = slots_of(resolve(link, env), {})
+    return tuple([asked for asked in due if any(each in slots for each in slots_of(resolve(asked[1], env), {}))])
 
 
 def _shown(term: Any) -> str:

@@ -143,7 +143,14 @@ class Networks:
                     noted.extend(settled.reasons)
                 continue
             env, still = settled
-            term, rest, still, leaf = numbered((state.term, taken.rest, still, taken.leaf), env, {})
+            needed = self.asking.needed(still, env, (state.term, taken.rest))
+            if isinstance(needed, Failed):
+                if noted is not None:
+                    noted.extend(needed.reasons)
+                continue
+            if not growth.can_close(taken.rest, env, needed):
+                continue
+            term, rest, still, leaf = numbered((state.term, taken.rest, needed, taken.leaf), env, {})
             after = State(state.goal, term, rest, still)
             yield Step(after, taken.missed, outward(leaf), 1.0, taken.is_theirs)
         self.was_cut = self.was_cut or growth.was_cut
