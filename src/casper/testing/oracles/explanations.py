@@ -16,7 +16,7 @@ import networkx as nx
 
 from casper.engine.verification.matching import Binding, Matcher, Mismatch
 from casper.engine.verification.observation import Observation
-from casper.plans.trees.nodes import Action, Node, Shape
+from casper.plans.trees.nodes import Action, Condition, Node, Shape
 from casper.plans.trees.plan import Plan
 
 Row = tuple[tuple[int, ...], frozenset[int]]  # leaves in order; the parts that are in it and must be seen
@@ -47,6 +47,8 @@ def rows(plan: Plan) -> tuple[list[Row], dict[int, set[int]]]:
     def spell(node: Node) -> list[Row]:
         if isinstance(node, Action):
             return [((next(leaf_numbers),), frozenset())]
+        if isinstance(node, Condition):  # what it asks is the matcher's
+            return [((), frozenset())]
         number = next(part_numbers) if isinstance(node, Shape) and node.kind == "optional" else None
         if isinstance(node, Shape) and node.kind == "choice":
             smallest = min(range(len(node.children)), key=lambda at: size(node.children[at]))
@@ -76,8 +78,11 @@ def size(node: Node) -> int:
     """How many leaves are done at least."""
     if isinstance(node, Action):
         return 1
+    if isinstance(node, Condition):
+        return 0
     kind = node.kind if isinstance(node, Shape) else "sequence"
-    return 0 if kind == "optional" else (min if kind == "choice" else sum)(map(size, node.children))
+    sizes = [size(child) for child in node.children]
+    return 0 if kind == "optional" else min(sizes) if kind == "choice" else sum(sizes)
 
 
 def ordered(items: int, pairs: Iterable[tuple[int, int]]) -> nx.DiGraph:
