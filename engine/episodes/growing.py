@@ -1,7 +1,7 @@
 """The contract between a day and the plans: how one instance of a goal goes on.
 
-A day never sees a plan. It holds *states* of goal instances, hands them observations, and is told every state that comes of
-it. Whoever implements this may enumerate plans (`engine.episodes.enumerated`) or grow them lazily.
+A day never sees a plan. It holds *states* of goal instances, hands them observations, and is told every state that
+comes of it. Whoever implements this may enumerate plans (`engine.episodes.enumerated`) or grow them lazily.
 """
 
 from __future__ import annotations
