@@ -4,159 +4,143 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from typing import Generic, TypeVar
 
 from casper.engine.episodes.agreeing import settle
-from casper.engine.episodes.expanding import BEGINS, NEEDLESS, Bounds, Candidate, Expansion
-from casper.engine.episodes.growing import Growing, Taken
-from casper.engine.episodes.hypotheses import Closed, Hypothesis, Instance, Key, Level, Link, Outcome
+from casper.engine.episodes.expanding import BEGINS, NEEDLESS, Bounds, Candidate, Expansion, closing_prices
+from casper.engine.episodes.growing import Growing
+from casper.engine.episodes.hypotheses import Closed, Event, Hypothesis, Instance, Key, Level, Outcome
 from casper.engine.episodes.idling import SOON, Idling
 from casper.engine.episodes.prices import Prices
-from casper.engine.verification.observation import Seen
 
 S = TypeVar("S")
-
-
-@dataclass(frozen=True, slots=True)
-class Event:
-    """An observation with what it is known by: its number (from 1), who did it, and when."""
-
-    seen: Seen
-    agent: str | None
-    t: float
-    number: int
 
 
 class Advance(Generic[S]):
     """How a day goes on with an observation, under fixed prices, priors and bounds."""
 
-    def __init__(self, growing: Growing[S], prices: Prices, priors: Sequence[float], bounds: Bounds) -> None:
+    def __init__(self, growing: Growing[S], prices: Prices, priors: list[float], bounds: Bounds) -> None:
         self.growing, self.prices, self.bounds = growing, prices, bounds
-        self._priors, self._idling = priors, Idling(prices.abandon)
+        self.idling = Idling(prices.abandon)
+        self._priors = priors
 
     def observed(self, level: Level[S], event: Event) -> Level[S]:
         """The level after an observation that the plans may explain."""
-        expansion = Expansion(self.growing, self.prices, self._priors, self._idling, self.bounds)
-        expansion.run(level, event.seen, event.agent)
-        found = self._lasting(expansion)
-        counts = {**level.counts, event.agent: level.counts.get(event.agent, 0) + 1}
-        made = [self._made(key, candidate, event) for key, candidate in found]
-        dropped = expansion.dropped + sum(c.weight for c in expansion.candidates.values())
-        dropped -= sum(candidate.weight for _, candidate in found)
-        whole = dropped + sum(candidate.weight for _, candidate in found)
-        hypotheses = self._closed(made, expansion, counts, event)
-        total = sum(hypothesis.weight for hypothesis in hypotheses)
+        expansion = Expansion(self.growing, self.prices, self._priors, self.idling, self.bounds.floor, event)
+        expansion.run(level)
+        candidates = expansion.candidates
+        found = self._lasting(candidates)
+        kept = sum(candidate.weight for candidate in found)
+        dropped = expansion.dropped
+        if len(found) < len(candidates):
+            dropped += max(0.0, sum(candidate.weight for candidate in candidates.values()) - kept)
+        whole = kept + dropped
         current = {goal: weight / whole for goal, weight in expansion.current.items()}
-        share = max(0.0, dropped / whole) if len(found) < len(expansion.candidates) or expansion.dropped else 0.0
-        return self._level(level, event, counts, [_scaled(h, 1 / total) for h in hypotheses], current, share)
+        made = [self._made(candidate, event) for candidate in found]
+        return self._level(level, event, made, current, dropped / whole)
 
     def unknown(self, level: Level[S], event: Event, nearest: str | None, why: Sequence[str]) -> Level[S]:
         """The level after an action that no plan has: needless by every hypothesis."""
-        counts = {**level.counts, event.agent: level.counts.get(event.agent, 0) + 1}
-        expansion = Expansion(self.growing, self.prices, self._priors, self._idling, self.bounds)
-        made = [_with_needless(h, h.weight, h.best * self.prices.needless, event.number) for h in level.hypotheses]
-        hypotheses = self._closed(made, expansion, counts, event)
-        total = sum(hypothesis.weight for hypothesis in hypotheses)
-        after = self._level(level, event, counts, [_scaled(h, 1 / total) for h in hypotheses], {}, 0.0)
-        return Level(**{**after.__dict__, "nearest": nearest, "why": tuple(why)})
+        made = [_needless(h, h.weight, h.best, event.number) for h in level.hypotheses]
+        return replace(self._level(level, event, made, {}, 0.0), nearest=nearest, why=tuple(why))
+
+    def over(self, level: Level[S]) -> Level[S]:
+        """The level when nothing more will be observed: everything open is closed."""
+        closed = [self._without(h, range(len(h.instances)), level.number) for h in level.hypotheses]
+        best = max(closed, key=lambda hypothesis: hypothesis.weight)
+        told = (*level.told, *best.closed)
+        return replace(level, hypotheses=(best._replace(weight=1.0, closed=()),), told=told, settled=best.closed)
 
     def _level(
         self,
         before: Level[S],
         event: Event,
-        counts: Mapping[str | None, int],
-        hypotheses: Sequence[Hypothesis[S]],
+        made: Sequence[Hypothesis[S]],
         current: Mapping[int, float],
         dropped: float,
     ) -> Level[S]:
-        lag = self.bounds.lag
-        agreed, settled = settle(hypotheses, event.number, lag)
+        lag, counts = self.bounds.lag, {**before.counts, event.agent: event.own_number}
+        closed = self._closed(made, counts, event)
+        total = sum(hypothesis.weight for hypothesis in closed)
+        scaled = [_scaled(hypothesis, 1 / total) for hypothesis in closed]
+        agreed, settled = settle(scaled, event.number, lag)
         told = tuple(c for c in (*before.told, *settled) if c.number > event.number - lag)
         recent = [_recent(hypothesis, event.number - lag) for hypothesis in agreed]
-        seen, agent, t, number = event.seen, event.agent, event.t, event.number
+        seen, agent, t, number, _ = event
         return Level(recent, number, counts, seen, agent, t, current, dropped, told, tuple(settled))
 
-    def _lasting(self, expansion: Expansion[S]) -> list[tuple[Key[S], Candidate[S]]]:
+    def _lasting(self, candidates: Mapping[Key[S], Candidate[S]]) -> list[Candidate[S]]:
         """The candidates that are kept, the heaviest first."""
-        candidates = expansion.candidates
         least = self.bounds.floor * max(candidate.weight for candidate in candidates.values())
-        found = [pair for pair in candidates.items() if pair[1].weight >= least]
-        if len(found) > self.bounds.keep:
-            return heapq.nlargest(self.bounds.keep, found, key=lambda pair: pair[1].weight)
-        return sorted(found, key=lambda pair: -pair[1].weight)
+        found = [candidate for candidate in candidates.values() if candidate.weight >= least]
+        return heapq.nlargest(self.bounds.keep, found, key=lambda candidate: candidate.weight)
 
     # --- making and closing ------------------------------------------------------------------------------------------
 
-    def _made(self, key: Key[S], candidate: Candidate[S], event: Event) -> Hypothesis[S]:
+    def _made(self, candidate: Candidate[S], event: Event) -> Hypothesis[S]:
         """The hypothesis with the story of its heaviest derivation."""
-        parent, move, at = candidate.parent, candidate.move, candidate.at
-        if at == NEEDLESS or move is None:
-            return _with_needless(parent, candidate.weight, candidate.best, event.number)
-        taken = Taken(move.step, event.seen, event.agent)
-        gone = candidate.restarted if at == BEGINS else at
-        links, closed = parent.links, parent.closed
-        before = links[at] if at != BEGINS else None
-        if at == BEGINS and gone is not None:
-            closed = (*closed, self._over(parent.instances[gone], links[gone], event.number))
-        if gone is not None:
-            links = links[:gone] + links[gone + 1 :]
-        link = Link(event.number, event.t, taken, before)
-        goal = move.instance.goal
-        if move.closes:
-            closed = (*closed, Closed(goal, move.instance.owner, "finished", link, 0, event.number))
-        else:
-            links = (*links, link)
-        return Hypothesis(key, candidate.weight, candidate.best, links, closed, parent.needless, goal)
+        parent, at, instance, finish = candidate.way
+        weight, best = candidate.weight, candidate.best
+        if at == NEEDLESS:
+            return _needless(parent, weight, best, event.number)
+        instances, closed = parent.instances, parent.closed
+        owner = event.agent if at == BEGINS else instances[at].body.owner
+        if at != BEGINS:
+            instances = instances[:at] + instances[at + 1 :]
+        if instance is not None:
+            instances = (*instances, instance)
+        if finish is not None:
+            sure = candidate.share / weight
+            closed = (*closed, Closed(finish.goal, owner, "finished", finish.link, 0, event.number, sure))
+        return Hypothesis(instances, weight, best, closed, parent.needless)
 
     def _closed(
-        self,
-        hypotheses: Sequence[Hypothesis[S]],
-        expansion: Expansion[S],
-        counts: Mapping[str | None, int],
-        event: Event,
-    ) -> list[Hypothesis[S]]:
+        self, hypotheses: Sequence[Hypothesis[S]], counts: Mapping[str | None, int], event: Event
+    ) -> Sequence[Hypothesis[S]]:
         """Close what was left alone for too long; what is equal then is one. The heaviest come first."""
-        if not any(self._expired(hypothesis.instances, counts, event.agent) for hypothesis in hypotheses):
-            return list(hypotheses)
+        expired = [self._expired(hypothesis.instances, counts, event.agent) for hypothesis in hypotheses]
+        if not any(expired):
+            return hypotheses
         found: dict[Key[S], Hypothesis[S]] = {}
-        for hypothesis in hypotheses:
-            expired = self._expired(hypothesis.instances, counts, event.agent)
-            left = self._without(hypothesis, expired, expansion, event.number) if expired else hypothesis
-            known = found.get(left.instances)
-            found[left.instances] = left if known is None else _joined(known, left)
+        for hypothesis, numbers in zip(hypotheses, expired):
+            left = self._without(hypothesis, numbers, event.number) if numbers else hypothesis
+            known = found.get(left.key)
+            found[left.key] = left if known is None else _joined(known, left)
         return sorted(found.values(), key=lambda hypothesis: -hypothesis.weight)
 
-    def _expired(self, instances: Key[S], counts: Mapping[str | None, int], agent: str | None) -> list[int]:
+    def _expired(
+        self, instances: Sequence[Instance[S]], counts: Mapping[str | None, int], agent: str | None
+    ) -> list[int]:
         """The numbers of the agent's instances that are closed now."""
         now = counts.get(agent, 0)
-        own = [(at, instance) for at, instance in enumerate(instances) if instance.owner == agent]
-        most = len(self._idling.alive(len(own))) if own else 0
-        return [at for at, i in own if now - i.touched >= (min(SOON, most) if i.is_done else most)]
+        own = [(at, instance.body) for at, instance in enumerate(instances) if instance.body.owner == agent]
+        most = len(self.idling.alive(len(own))) if own else 0
+        return [at for at, body in own if now - body.touched >= (min(SOON, most) if body.is_done else most)]
 
-    def _without(
-        self, hypothesis: Hypothesis[S], expired: Sequence[int], expansion: Expansion[S], number: int
-    ) -> Hypothesis[S]:
+    def _without(self, hypothesis: Hypothesis[S], expired: Sequence[int], number: int) -> Hypothesis[S]:
         factor, closed = 1.0, list(hypothesis.closed)
         for at in expired:
-            factor *= expansion.closing(hypothesis.instances[at])
-            closed.append(self._over(hypothesis.instances[at], hypothesis.links[at], number))
-        kept = [at for at in range(len(hypothesis.instances)) if at not in expired]
-        instances = tuple(hypothesis.instances[at] for at in kept)
-        links = tuple(hypothesis.links[at] for at in kept)
-        scaled = _scaled(hypothesis, factor)
-        return scaled._replace(instances=instances, links=links, closed=tuple(closed))
+            instance = hypothesis.instances[at]
+            prices = closing_prices(self.growing, self.prices, instance)
+            costs = [entry.share * price for entry, price in zip(instance.body.entries, prices)]
+            factor *= sum(costs)
+            closed.append(self._over(instance, costs, number))
+        kept = tuple(instance for at, instance in enumerate(hypothesis.instances) if at not in expired)
+        return _scaled(hypothesis, factor)._replace(instances=kept, closed=tuple(closed))
 
-    def _over(self, instance: Instance[S], link: Link[S], number: int) -> Closed[S]:
+    def _over(self, instance: Instance[S], costs: Sequence[float], number: int) -> Closed[S]:
         """An instance that closed undone: finished unseen, or given up, whichever is cheaper to believe."""
-        left = self.growing.least_left(instance.state)
-        is_finished = self.prices.missed**left >= self.prices.abandon
-        outcome: Outcome = "finished" if is_finished else "abandoned"
-        return Closed(instance.goal, instance.owner, outcome, link, left, number)
+        at = max(range(len(costs)), key=costs.__getitem__)
+        entry, owner = instance.body.entries[at], instance.body.owner
+        left = self.growing.least_left(entry.state)
+        outcome: Outcome = "finished" if self.prices.missed**left >= self.prices.abandon else "abandoned"
+        goal = sum(cost for other, cost in zip(instance.body.entries, costs) if other.goal == entry.goal)
+        return Closed(entry.goal, owner, outcome, instance.links[at], left, number, goal / sum(costs))
 
 
-def _with_needless(parent: Hypothesis[S], weight: float, best: float, number: int) -> Hypothesis[S]:
-    return parent._replace(weight=weight, best=best, needless=(*parent.needless, number), last=None)
+def _needless(parent: Hypothesis[S], weight: float, best: float, number: int) -> Hypothesis[S]:
+    return parent._replace(weight=weight, best=best, needless=(*parent.needless, number))
 
 
 def _scaled(hypothesis: Hypothesis[S], factor: float) -> Hypothesis[S]:

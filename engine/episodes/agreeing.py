@@ -23,7 +23,7 @@ def settle(
     shares: dict[tuple[int, str | None, str, int], float] = {}
     for hypothesis in hypotheses:
         for closed in hypothesis.closed:
-            shares[closed.key] = shares.get(closed.key, 0.0) + hypothesis.weight
+            shares[closed.key] = shares.get(closed.key, 0.0) + hypothesis.weight * closed.sure
     if not shares:
         return hypotheses, []
     best = hypotheses[0]

@@ -11,15 +11,14 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic
 
 from casper.engine.collaboration.collaboration import CollaborativePlan
-from casper.engine.episodes.advancing import Advance, Event
+from casper.engine.episodes.advancing import Advance
 from casper.engine.episodes.episode import Account, Episode, Needless
 from casper.engine.episodes.expanding import Bounds
 from casper.engine.episodes.growing import Growing
-from casper.engine.episodes.hypotheses import Hypothesis, Level, nothing
-from casper.engine.episodes.idling import Idling
+from casper.engine.episodes.hypotheses import Body, Event, Hypothesis, Level, S, nothing
 from casper.engine.episodes.nearest import Vocabulary
 from casper.engine.episodes.prices import Prices
 from casper.engine.episodes.printing import day_lines, day_name
@@ -31,7 +30,6 @@ from casper.kb.terms.terms import Compound, as_term, predication
 from casper.kb.text.lines import Line, text_of
 from casper.kb.text.reader import read_statement
 
-S = TypeVar("S")
 AS_IT_WERE: Bounds = Bounds()
 
 
@@ -63,7 +61,7 @@ class Day(Generic[S]):
         self._priors = [(priors or {}).get(goal, 1.0) / whole for goal in self._goals]
         self._vocabulary = Vocabulary(growing.leaves())
         self._actions = self._vocabulary.indicators
-        self._idling = Idling(self.prices.abandon)
+        self._advance = Advance(growing, self.prices, self._priors, bounds)
         self._levels: deque[Level[S]] = deque([nothing()], bounds.lag + 1)
         self._told: list[Episode] = []  # closed since the last call, and how many observations it had then
         self._read: dict[str, Seen] = {}
@@ -87,14 +85,13 @@ class Day(Generic[S]):
         level = self._levels[-1]
         number = level.number + 1
         seen, why = self._seen(observed)
-        event = Event(seen, agent, float(number) if t is None else t, number)
-        advance = Advance(self._growing, self.prices, self._priors, self.bounds)
+        event = Event(seen, agent, float(number) if t is None else t, number, level.counts.get(agent, 0) + 1)
         if why:
             action = seen if isinstance(seen, Observation) else seen.options[0][0]
             nearest = self._vocabulary.nearest(action.action, action.args)
-            after = advance.unknown(level, event, nearest, why)
+            after = self._advance.unknown(level, event, nearest, why)
         else:
-            after = advance.observed(level, event)
+            after = self._advance.observed(level, event)
         self._growing.observed(seen, agent, event.t)
         self._levels.append(after)
         self._told += [self._teller.closed(closed) for closed in after.settled]
@@ -124,6 +121,12 @@ class Day(Generic[S]):
     def _refusal(self, seen: Observation) -> str | None:
         return self._vocabulary.refusal(seen.action, seen.args)
 
+    def finish(self) -> None:
+        """The day is over: every goal that is open is closed, by what is cheaper to believe of it."""
+        level = self._levels.pop()
+        self._levels.append(self._advance.over(level))
+        self._told += [self._teller.closed(closed) for closed in self._levels[-1].settled]
+
     def undo(self) -> None:
         """Take back the last observation. What `closed` has handed out stays told.
 
@@ -142,6 +145,7 @@ class Day(Generic[S]):
         """A day that goes its own way from here; what was worked out so far is shared."""
         other = copy(self)
         other._growing = self._growing.fork()
+        other._advance = Advance(other._growing, self.prices, self._priors, self.bounds)
         other._levels, other._told = self._levels.copy(), self._told.copy()
         return other
 
@@ -163,17 +167,23 @@ class Day(Generic[S]):
         level = self._levels[-1]
         found = dict.fromkeys(self._goals, 0.0)
         for hypothesis in level.hypotheses:
-            alive: dict[int, float] = {}
-            for instance in hypothesis.instances:
-                if not instance.is_done:
-                    together = sum(other.owner == instance.owner for other in hypothesis.instances)
-                    table = self._idling.alive(together)
-                    idle = level.counts.get(instance.owner, 0) - instance.touched
-                    pursued = table[min(idle, len(table) - 1)]
-                    alive[instance.goal] = max(pursued, alive.get(instance.goal, 0.0))
-            for goal, pursued in alive.items():
-                found[self._goals[goal]] += hypothesis.weight * pursued
+            lacking: dict[int, float] = {}  # by goal: that no instance is of it, or that it was given up
+            for body in hypothesis.key:
+                alive = self._alive(hypothesis, body)
+                shares: dict[int, float] = {}
+                for goal, state, share in body.entries:
+                    if not body.is_done or not self._growing.is_done(state):
+                        shares[goal] = shares.get(goal, 0.0) + share
+                for goal, share in shares.items():
+                    lacking[goal] = lacking.get(goal, 1.0) * (1 - alive * share)
+            for goal, none in lacking.items():
+                found[self._goals[goal]] += hypothesis.weight * (1 - none)
         return found
+
+    def _alive(self, hypothesis: Hypothesis[S], body: Body[S]) -> float:
+        together = sum(other.owner == body.owner for other in hypothesis.key)
+        table = self._advance.idling.alive(together)
+        return table[min(self._levels[-1].counts.get(body.owner, 0) - body.touched, len(table) - 1)]
 
     @property
     def current(self) -> Mapping[str, float]:
@@ -219,14 +229,16 @@ class Day(Generic[S]):
     def frontier(self) -> tuple[Compound, ...]:
         """What the best hypothesis leaves to be done: of the goal that was touched last first."""
         instances = reversed(self._best.instances)
-        return tuple(action for instance in instances for action in self._growing.rest(instance.state))
+        states = [instance.body.entries[0].state for instance in instances]
+        return tuple(action for state in states for action in self._growing.rest(state))
 
     def plan_for(self, agent: str) -> CollaborativePlan | None:
         """What the agent can do for an open goal of the best hypothesis: the one touched last of which it can do any.
 
         None when nothing is open.
         """
-        plans = [self._growing.part(instance.state, agent) for instance in reversed(self._best.instances)]
+        states = [instance.body.entries[0].state for instance in reversed(self._best.instances)]
+        plans = [self._growing.part(state, agent) for state in states]
         made = [plan for plan in plans if plan is not None]
         return next((plan for plan in made if plan.actions), made[0] if made else None)
 
@@ -235,9 +247,9 @@ class Day(Generic[S]):
         seen, why = self._seen(observed)
         found: dict[str, tuple[str, ...]] = {}
         for instance in self._best.instances:
-            if why or not any(True for _ in self._growing.steps(instance.state, seen, agent)):
-                told = why or tuple(self._growing.reasons(instance.state, seen, agent))
-                found[self._goals[instance.goal]] = told
+            goal, state, _ = instance.body.entries[0]
+            if why or not any(True for _ in self._growing.steps(state, seen, agent)):
+                found[self._goals[goal]] = why or tuple(self._growing.reasons(state, seen, agent))
         return found
 
     @property

@@ -73,6 +73,7 @@ class Enumerated:
         self.plans, self.most_missed = plans, most_missed
         self.goals: Sequence[str] = tuple(dict.fromkeys(plan.label for plan in plans))
         self._matcher, self._capability = matcher, capability
+        self._verdicts = matcher if isinstance(matcher, LooksBack) else None
         self._matchers: dict[str | None, Matcher] = {}
         self._changes = 0
         self._pasts: deque[Past] = deque([()], LAG + 1)
@@ -88,8 +89,8 @@ class Enumerated:
         for goal, ways in enumerate(self._ways):
             for name in dict.fromkeys(name for way in ways for name in self._named[way]):
                 self._having.setdefault(name, []).append(goal)
-        self._steps: dict[tuple[Standing, Seen, str | None], tuple[Step[Standing], ...]] = {}
-        self._choices: dict[Standing, int] = {}
+        self._first: dict[tuple[int, Seen, str | None], Sequence[Step[Standing]]] = {}  # of goals that begin
+        self._choices: dict[tuple[int, int | None, int], int] = {}
         self._left: dict[tuple[int, int, int], int] = {}
 
     # --- going on ----------------------------------------------------------------------------------------------------
@@ -97,7 +98,7 @@ class Enumerated:
     @property
     def looks_back(self) -> bool:
         """Whether verdicts depend on what was done earlier."""
-        return isinstance(self._matcher, LooksBack) and self._matcher.looks_back
+        return self._verdicts is not None and self._verdicts.looks_back
 
     def begins_with(self, seen: Seen) -> Iterable[int]:
         """The goals that have the action."""
@@ -109,43 +110,55 @@ class Enumerated:
         """No plan was chosen yet."""
         return Standing(goal)
 
-    def steps(self, state: Standing, seen: Seen, agent: str | None) -> tuple[Step[Standing], ...]:
+    def steps(self, state: Standing, seen: Seen, agent: str | None) -> Sequence[Step[Standing]]:
         """Every leaf of the name that is open and takes the arguments."""
+        if state.plan is not None:
+            if isinstance(seen, Observation):
+                leaves = self._named[state.plan].get(seen.action)
+                return self._taken(state, seen, 1.0, self._for(agent), leaves) if leaves is not None else ()
+            return [step for option, weight in options_of(seen) for step in self._of(state, option, weight, agent)]
         if self.looks_back:
-            return tuple(self._found(state, seen, agent))
+            return self._beginning(state.goal, seen, agent)
         self._follow_changes()
-        key = (state, seen, agent)
-        known = self._steps.get(key)
+        key = (state.goal, seen, agent)
+        known = self._first.get(key)
         if known is None:
-            if len(self._steps) > MOST_KEPT:
-                self._steps.clear()
-            known = self._steps[key] = tuple(self._found(state, seen, agent))
+            if len(self._first) > MOST_KEPT:
+                self._first.clear()
+            known = self._first[key] = self._beginning(state.goal, seen, agent)
         return known
 
+    def _of(self, at: Standing, seen: Observation, weight: float, agent: str | None) -> Sequence[Step[Standing]]:
+        assert at.plan is not None
+        return self._taken(at, seen, weight, self._for(agent), self._named[at.plan].get(seen.action, ()))
+
     def _follow_changes(self) -> None:
-        changes = self._matcher.changes if isinstance(self._matcher, LooksBack) else 0
-        if changes != self._changes:
-            self._changes = changes
-            self._steps, self._matchers = {}, {}
+        if self._verdicts is not None and self._verdicts.changes != self._changes:
+            self._changes = self._verdicts.changes
+            self._first, self._matchers = {}, {}
 
-    def _found(self, state: Standing, seen: Seen, agent: str | None) -> Iterator[Step[Standing]]:
-        matcher = self._for(agent)
-        for standing in self._begun(state, matcher):
-            for option, weight in options_of(seen):
-                yield from self._taken(standing, option, weight, matcher)
+    def _beginning(self, goal: int, seen: Seen, agent: str | None) -> Sequence[Step[Standing]]:
+        begun = list(self._begun(Standing(goal), self._for(agent)))
+        pairs = [(standing, option, weight) for standing in begun for option, weight in options_of(seen)]
+        return [step for standing, option, weight in pairs for step in self._of(standing, option, weight, agent)]
 
-    def _taken(self, at: Standing, seen: Observation, weight: float, matcher: Matcher) -> Iterator[Step[Standing]]:
+    def _taken(
+        self, at: Standing, seen: Observation, weight: float, matcher: Matcher, leaves: Sequence[int]
+    ) -> Sequence[Step[Standing]]:
         goal, number, closed, entered, binding = at
         assert number is not None
-        plan = self.plans[number]
-        for leaf in self._named[number].get(seen.action, ()):
-            if closed >> leaf & 1:
-                continue
-            after = plan.chart.close((closed, entered, 0, 0), leaf)
-            if after[3] <= self.most_missed:
+        found: list[Step[Standing]] = []
+        for leaf in leaves:
+            if not closed >> leaf & 1:
                 bound = matcher.match(number, leaf, seen, binding)
-                if not isinstance(bound, Mismatch):
-                    yield Step(Standing(goal, number, after[0], after[1], bound), after[3], plan.leaves[leaf], weight)
+                if isinstance(bound, Mismatch):
+                    continue
+                plan = self.plans[number]
+                after = plan.chart.close((closed, entered, 0, 0), leaf)
+                if after[3] <= self.most_missed:
+                    standing = Standing(goal, number, after[0], after[1], bound)
+                    found.append(Step(standing, after[3], plan.leaves[leaf], weight))
+        return found
 
     def _begun(self, state: Standing, matcher: Matcher) -> Iterator[Standing]:
         """The state itself, or every plan of a goal for which none was chosen yet."""
@@ -158,17 +171,17 @@ class Enumerated:
                 yield Standing(state.goal, number, 0, 0, binding)
 
     def _for(self, agent: str | None) -> Matcher:
-        if not isinstance(self._matcher, LooksBack):
+        if self._verdicts is None:
             return self._matcher
         if agent not in self._matchers:
-            self._matchers[agent] = self._matcher.of(agent, self._pasts[-1])
+            self._matchers[agent] = self._verdicts.of(agent, self._pasts[-1])
         return self._matchers[agent]
 
     # --- where it stands ---------------------------------------------------------------------------------------------
 
     def choices(self, state: Standing) -> int:
         """How many leaves could come next, over all plans of a goal that has just begun."""
-        general = state._replace(binding=())
+        general = state[:3]
         count = self._choices.get(general)
         if count is None:
             if len(self._choices) > MOST_KEPT:
@@ -267,11 +280,11 @@ class Enumerated:
 
     def observed(self, seen: Seen, agent: str | None, t: float) -> None:
         """Remember what was done, where it was made out in full and anything depends on it."""
-        past, matcher = self._pasts[-1], self._matcher
-        if isinstance(matcher, LooksBack) and matcher.looks_back:
+        past = self._pasts[-1]
+        if self._verdicts is not None and self._verdicts.looks_back:
             self._matchers.clear()
             if isinstance(seen, Observation) and seen.args is not None and all(map(is_ground, seen.args)):
-                statement = Compound((seen.action, matcher.partner if agent is None else agent, *seen.args))
+                statement = Compound((seen.action, self._verdicts.partner if agent is None else agent, *seen.args))
                 past = with_statement(past, statement, t)
         self._pasts.append(past)
 

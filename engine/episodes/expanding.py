@@ -1,31 +1,29 @@
-"""Where one observation leads from the hypotheses of a day: an instance goes on, a goal begins, or it is needless.
+"""Where one observation leads from the hypotheses of a day: an instance goes on, one begins, or it is needless.
 
-From a hypothesis of weight w, ``beta``, ``alpha``, ``nu`` and ``mu`` being the prices of beginning, giving up, needless
-and missed actions, an observation of agent a leads to
+From a hypothesis of weight w, ``beta``, ``nu`` and ``mu`` being the prices of beginning, needless and missed actions,
+an observation of agent a leads to
 
 * an instance going on: w * (1 - beta) * share / choices * mu ** missed, where ``share`` is the instance's part of the
   probabilities that a's instances are still pursued (`idling`), and ``choices`` how many leaves could come next; an
   instance that somebody else began costs the price of helping besides, unless its plan says that the step is a's;
-* a goal beginning: w * beta * prior / choices * mu ** missed, with 1 for beta where a has nothing open. An instance of
-  the same goal that it could be mistaken for is given up by that;
+* a goal beginning: w * beta * prior / choices * mu ** missed, with 1 for beta where a has nothing open;
 * nothing: w * nu.
 
 This is the pending set of PHATT (Geib and Goldman, Artificial Intelligence 173, 2009, section 4) with prices for what
-it lacks. Work is bounded: see `Bounds`.
+it lacks, and with the goals of what began summed out. Work is bounded: see `Bounds`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Generic, NamedTuple, TypeVar
 
-from casper.engine.episodes.growing import Growing, Step
-from casper.engine.episodes.hypotheses import Hypothesis, Instance, Key, Level
+from casper.engine.episodes.growing import Growing
+from casper.engine.episodes.growth import Finish, Grower, Growth
+from casper.engine.episodes.hypotheses import Event, Hypothesis, Instance, Key, Level
 from casper.engine.episodes.idling import Idling
 from casper.engine.episodes.prices import Prices
-from casper.engine.verification.observation import Seen
-from casper.kb.terms.unification import renamed, unify
 
 S = TypeVar("S")
 NEEDLESS, BEGINS = -2, -1  # in place of the number of the instance that goes on
@@ -38,37 +36,27 @@ class Bounds:
     What was believed, and what has closed, is kept for ``lag`` observations.
     """
 
-    keep: int = 300
+    keep: int = 150
     floor: float = 1e-6
     lag: int = 100
 
 
-class Move(NamedTuple, Generic[S]):
-    """An instance after a step, and the factor of the step; ``closes``: nothing at all is left of it."""
+class Way(NamedTuple, Generic[S]):
+    """How a hypothesis came out of another: which instance went on (or began, or none), to what, what it finished."""
 
-    factor: float
-    instance: Instance[S]
-    step: Step[S]
-    closes: bool
-
-
-class Sprout(NamedTuple, Generic[S]):
-    """A goal that begins, and the factors of this one and all that come after it, which are no larger."""
-
-    move: Move[S]
-    tail: float
+    parent: Hypothesis[S]
+    at: int
+    instance: Instance[S] | None
+    finish: Finish[S] | None
 
 
 class Candidate(Generic[S]):
-    """A hypothesis to be: its weight, and how its heaviest derivation came out of which other one."""
+    """A hypothesis to be: its weight, that of its heaviest derivation, and that one's last step with what it adds."""
 
-    __slots__ = ("at", "best", "move", "parent", "restarted", "weight")
+    __slots__ = ("best", "share", "way", "weight")
 
-    def __init__(
-        self, weight: float, best: float, parent: Hypothesis[S], at: int, move: Move[S] | None, restarted: int | None
-    ) -> None:
-        self.weight, self.best, self.parent = weight, best, parent
-        self.at, self.move, self.restarted = at, move, restarted
+    def __init__(self, weight: float, best: float, way: Way[S]) -> None:
+        self.weight, self.best, self.way, self.share = weight, best, way, weight
 
 
 class Expansion(Generic[S]):
@@ -79,163 +67,84 @@ class Expansion(Generic[S]):
     """
 
     def __init__(
-        self, growing: Growing[S], prices: Prices, priors: Sequence[float], idling: Idling, bounds: Bounds
+        self, growing: Growing[S], prices: Prices, priors: list[float], idling: Idling, floor: float, event: Event
     ) -> None:
-        self._growing, self._prices, self._priors = growing, prices, priors
-        self._idling, self._bounds = idling, bounds
+        self._prices, self._priors, self._idling, self._least, self._event = prices, priors, idling, floor, event
+        self._grower = Grower(growing, prices, event)
+        self._weights: dict[Growth[S], float] = {}
         self.candidates: dict[Key[S], Candidate[S]] = {}
-        self.current: dict[int, float] = {}
         self.dropped = self._floor = 0.0
-        self._made: dict[tuple[int, Any, str | None], Instance[S]] = {}
-        self._moves: dict[Instance[S], list[Move[S]]] = {}
-        self._alike: dict[tuple[Instance[S], Instance[S]], bool] = {}
 
-    def run(self, level: Level[S], seen: Seen, agent: str | None) -> None:
+    def run(self, level: Level[S]) -> None:
         """Expand every hypothesis."""
-        counts = {**level.counts, agent: level.counts.get(agent, 0) + 1}
-        self._seen, self._agent, self._counts = seen, agent, counts
-        sprouts = self._sprouts()
-        needless = self._prices.needless
+        self._counts = level.counts
+        begun = self._grower.begun(self._priors)
         for hypothesis in level.hypotheses:
-            owned = self._go_on(hypothesis)
-            self._begin(hypothesis, owned, sprouts)
-            self._add(hypothesis.instances, needless, hypothesis, NEEDLESS, None)
+            key = hypothesis.key
+            is_free = self._go_on(hypothesis, key)
+            if begun is not None:
+                begin = 1.0 if is_free else self._prices.begin
+                self._grow(hypothesis, key, BEGINS, begun, begin)
+            self._add(key, self._prices.needless, Way(hypothesis, NEEDLESS, None, None))
 
-    def _go_on(self, hypothesis: Hypothesis[S]) -> list[Instance[S]]:
-        """Every instance that can take the observation does; the agent's own instances."""
-        instances = hypothesis.instances
-        moving = [(at, self._moves_of(instance)) for at, instance in enumerate(instances)]
-        owned = [instance for instance in instances if instance.owner == self._agent]
-        if any(moves for _, moves in moving):
-            own = self._alive(owned)
-            others = self._alive([instance for instance in instances if instance.owner != self._agent])
-            whole, rest = sum(own.values()), sum(others.values())
-            for at, moves in moving:
-                if moves:
-                    self._move(hypothesis, at, moves, own, whole, others, rest)
-        return owned
+    @property
+    def current(self) -> dict[int, float]:
+        """The weight of what the observation was taken for, by goal."""
+        found: dict[int, float] = {}
+        for growth, weight in self._weights.items():
+            for goal, factor in growth.goals.items():
+                found[goal] = found.get(goal, 0.0) + weight * factor
+        return found
 
-    def _move(
-        self,
-        hypothesis: Hypothesis[S],
-        at: int,
-        moves: Sequence[Move[S]],
-        own: dict[Instance[S], float],
-        whole: float,
-        others: dict[Instance[S], float],
-        rest: float,
+    def _go_on(self, hypothesis: Hypothesis[S], key: Key[S]) -> bool:
+        """Every instance that can take the observation does; whether the agent has nothing open."""
+        agent, grown = self._event.agent, self._grower.grown
+        growths = [grown(instance) for instance in hypothesis.instances]
+        own = [at for at, body in enumerate(key) if body.owner == agent]
+        for group in (own, [at for at in range(len(key)) if at not in own] if len(own) < len(key) else []):
+            if any(growths[at] is not None for at in group):
+                alive = [self._alive(key, at, len(group)) for at in group]
+                each = (1 - self._prices.begin) / sum(alive)
+                for at, still in zip(group, alive):
+                    growth = growths[at]
+                    if growth is not None:
+                        self._grow(hypothesis, key[:at] + key[at + 1 :], at, growth, each * still)
+        return not own
+
+    def _grow(
+        self, hypothesis: Hypothesis[S], remaining: Key[S], at: int, growth: Growth[S], factor: float
     ) -> None:
-        instances = hypothesis.instances
-        instance, stays = instances[at], 1 - self._prices.begin
-        remaining = instances[:at] + instances[at + 1 :]
-        is_own = instance.owner == self._agent
-        share = stays * (own[instance] / whole if is_own else others[instance] / rest)
-        for move in moves:
-            factor = share * move.factor
-            if not is_own and not move.step.is_theirs:
-                factor *= self._prices.helping
-            key = remaining if move.closes else (*remaining, move.instance)
-            self._add(key, factor, hypothesis, at, move)
+        weight = hypothesis.weight * factor
+        self._weights[growth] = self._weights.get(growth, 0.0) + weight
+        self.dropped += weight * growth.dropped
+        instance = growth.instance
+        if instance is not None:
+            self._add((*remaining, instance.body), factor * growth.whole, Way(hypothesis, at, instance, None))
+        for finish in growth.finished:
+            self._add(remaining, factor * finish.factor, Way(hypothesis, at, None, finish))
 
-    def _begin(self, hypothesis: Hypothesis[S], owned: Sequence[Instance[S]], sprouts: Sequence[Sprout[S]]) -> None:
-        instances, weight = hypothesis.instances, hypothesis.weight
-        begin = self._prices.begin if owned else 1.0
-        for move, tail in sprouts:
-            if weight * begin * move.factor < self._floor:
-                self.dropped += weight * begin * tail
-                break
-            fresh, factor, kept, restarted = move.instance, begin * move.factor, instances, None
-            for instance in owned:
-                if instance.goal == fresh.goal and self._are_alike(instance, fresh):
-                    restarted = instances.index(instance)
-                    factor *= self.closing(instance)
-                    kept = instances[:restarted] + instances[restarted + 1 :]
-                    break
-            self._add(kept if move.closes else (*kept, fresh), factor, hypothesis, BEGINS, move, restarted)
-
-    def _add(
-        self,
-        key: Key[S],
-        factor: float,
-        parent: Hypothesis[S],
-        at: int,
-        move: Move[S] | None,
-        restarted: int | None = None,
-    ) -> None:
-        weight = parent.weight * factor
-        if move is not None:
-            goal = move.instance.goal
-            self.current[goal] = self.current.get(goal, 0.0) + weight
+    def _add(self, key: Key[S], factor: float, way: Way[S]) -> None:
+        weight = way.parent.weight * factor
         if weight < self._floor:
             self.dropped += weight
             return
-        self._floor = max(self._floor, weight * self._bounds.floor)
-        best = parent.best * factor
+        self._floor = max(self._floor, weight * self._least)
+        best = way.parent.best * factor
         known = self.candidates.get(key)
         if known is None:
-            self.candidates[key] = Candidate(weight, best, parent, at, move, restarted)
+            self.candidates[key] = Candidate(weight, best, way)
             return
         known.weight += weight
         if best > known.best:
-            known.best, known.parent, known.at, known.move, known.restarted = best, parent, at, move, restarted
+            known.best, known.way, known.share = best, way, weight
 
-    # --- instances ---------------------------------------------------------------------------------------------------
+    def _alive(self, key: Key[S], at: int, together: int) -> float:
+        """The probability that an instance is still pursued."""
+        body, table = key[at], self._idling.alive(together)
+        return table[min(self._counts.get(body.owner, 0) - body.touched, len(table) - 1)]
 
-    def closing(self, instance: Instance[S]) -> float:
-        """What it costs to give an instance up, or to take what is left of it for done and unseen: the cheaper one."""
-        left = self._growing.least_left(instance.state)
-        return max(self._prices.abandon, self._prices.missed**left) if left else 1.0
 
-    def _alive(self, instances: Sequence[Instance[S]]) -> dict[Instance[S], float]:
-        """The probability of each that it is still pursued."""
-        found: dict[Instance[S], float] = {}
-        for instance in instances:
-            before = self._counts.get(instance.owner, 0) - (instance.owner == self._agent)
-            table = self._idling.alive(len(instances))
-            found[instance] = table[min(before - instance.touched, len(table) - 1)]
-        return found
-
-    def _moves_of(self, instance: Instance[S]) -> list[Move[S]]:
-        moves = self._moves.get(instance)
-        if moves is None:
-            steps = self._growing.steps(instance.state, self._seen, self._agent)
-            moves = self._moves[instance] = self._weighed(instance.goal, instance.state, instance.owner, steps, 1.0)
-        return moves
-
-    def _sprouts(self) -> list[Sprout[S]]:
-        found: list[Move[S]] = []
-        for goal in self._growing.begins_with(self._seen):
-            state = self._growing.begin(goal)
-            steps = self._growing.steps(state, self._seen, self._agent)
-            found += self._weighed(goal, state, self._agent, steps, self._priors[goal])
-        found.sort(key=lambda move: -move.factor)
-        sprouts, tail = list[Sprout[S]](), 0.0
-        for move in reversed(found):
-            tail += move.factor
-            sprouts.append(Sprout(move, tail))
-        return sprouts[::-1]
-
-    def _weighed(
-        self, goal: int, state: S, owner: str | None, steps: Iterable[Step[S]], prior: float
-    ) -> list[Move[S]]:
-        choices, growing = max(1, self._growing.choices(state)), self._growing
-        moves: list[Move[S]] = []
-        for step in steps:
-            factor = prior * step.weight * self._prices.missed**step.missed / choices
-            key = (goal, step.state, owner)
-            instance = self._made.get(key)
-            if instance is None:
-                is_done = growing.is_done(step.state)
-                touched = self._counts.get(owner, 0)
-                instance = self._made[key] = Instance(goal, step.state, owner, touched, is_done)
-            closes = instance.is_done and not growing.choices(step.state)
-            moves.append(Move(factor, instance, step, closes))
-        return moves
-
-    def _are_alike(self, old: Instance[S], new: Instance[S]) -> bool:
-        """Whether the parameters of two instances of one goal agree as far as they are known."""
-        known = self._alike.get((old, new))
-        if known is None:
-            first, second = self._growing.goal_of(old.state), self._growing.goal_of(new.state)
-            known = self._alike[old, new] = unify(renamed((first,), -1)[0], renamed((second,), -2)[0], {}) is not None
-        return known
+def closing_prices(growing: Growing[S], prices: Prices, instance: Instance[S]) -> Sequence[float]:
+    """By entry what it costs to give it up, or to take what is left of it for done and unseen: the cheaper one."""
+    lefts = [growing.least_left(entry.state) for entry in instance.body.entries]
+    return [max(prices.abandon, prices.missed**left) if left else 1.0 for left in lefts]

@@ -1,43 +1,75 @@
-"""Hypotheses of a day: which goal instances are open, who began them, and how each came where it is.
+"""Hypotheses of a day: which observations belong together, whose goal each such instance is, and what it may be.
 
-A hypothesis *is* its open instances; equal ones are one, and their weights add up. How it came about is kept of the
-heaviest derivation only, for telling: the observations that each instance took, the episodes that closed, and what was
-needless.
+A hypothesis says which observations serve the same goal instance and which are needless. *Which* goal that is, by which
+leaves of its plan, is not settled by it: an instance holds every (goal, state) its observations fit, with their
+probabilities. Given what belongs together instances are independent of each other, so nothing is lost by that, and
+hypotheses that would differ only in what is not settled yet are one. Hypotheses whose open instances are equal are one
+too, whatever came before; their weights add up.
+
+How it came about is kept of the heaviest derivation only, for telling: what each instance took, the episodes that
+closed, and what was needless.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Generic, Literal, NamedTuple, TypeAlias, TypeVar
 
-from casper.engine.episodes.growing import Taken
+from casper.engine.episodes.growing import Step, Taken
 from casper.engine.verification.observation import Seen
 
 S = TypeVar("S")
 Outcome: TypeAlias = Literal["finished", "abandoned", "unclear"]
 
 
-class Instance(Generic[S]):
-    """A goal under way; compared by identity, since equal ones are made once.
+class Entry(NamedTuple, Generic[S]):
+    """What an instance may be, and how likely: a goal, and where its plan stands."""
 
-    ``owner`` is the agent who began it, ``touched`` how many observations there had been of the owner when it last went
-    on.
+    goal: int
+    state: S
+    share: float
+
+
+class Body(Generic[S]):
+    """What a goal under way may be; compared by identity, since equal ones are made once.
+
+    ``entries`` are sorted by share; the shares sum to 1. ``owner`` is the agent who began it, ``touched`` how many
+    observations there had been of the owner when it last went on. ``is_done``: only optional leaves are left.
     """
 
-    __slots__ = ("goal", "is_done", "owner", "state", "touched")
+    __slots__ = ("entries", "is_done", "owner", "touched")
 
-    def __init__(self, goal: int, state: S, owner: str | None, touched: int, is_done: bool) -> None:
-        self.goal, self.state, self.owner, self.touched, self.is_done = goal, state, owner, touched, is_done
+    def __init__(self, entries: tuple[Entry[S], ...], owner: str | None, touched: int, is_done: bool) -> None:
+        self.entries, self.owner, self.touched, self.is_done = entries, owner, touched, is_done
+
+
+class Event(NamedTuple):
+    """An observation with what it is known by: who did it, when, its number (from 1), and among the agent's own."""
+
+    seen: Seen
+    agent: str | None
+    t: float
+    number: int
+    own_number: int
 
 
 class Link(NamedTuple, Generic[S]):
     """What an instance took, from the latest observation back."""
 
-    number: int  # of the observation, from 1
-    t: float
-    taken: Taken[S]
+    event: Event
+    step: Step[S]
     before: Link[S] | None
+
+    @property
+    def number(self) -> int:
+        """The number of the observation."""
+        return self.event.number
+
+    @property
+    def taken(self) -> Taken[S]:
+        """What was taken for what."""
+        return Taken(self.step, self.event.seen, self.event.agent)
 
     def all(self) -> list[Link[S]]:
         """From the first to this one."""
@@ -49,15 +81,28 @@ class Link(NamedTuple, Generic[S]):
         return links[::-1]
 
 
+class Instance(Generic[S]):
+    """A goal under way, and for each of its body's entries how it came there."""
+
+    __slots__ = ("body", "links")
+
+    def __init__(self, body: Body[S], links: tuple[Link[S], ...]) -> None:
+        self.body, self.links = body, links
+
+
 class Closed(NamedTuple, Generic[S]):
-    """An instance that is over, what became of it, and how many leaves were still to be done."""
+    """An instance that is over, what became of it, and how many leaves were still to be done.
+
+    ``number`` is that of the observation after which it closed, ``sure`` how likely its hypothesis takes it for this.
+    """
 
     goal: int
     owner: str | None
     outcome: Outcome
     link: Link[S]
     left: int
-    number: int  # of the observation after which it closed
+    number: int
+    sure: float
 
     @property
     def key(self) -> tuple[int, str | None, str, int]:
@@ -65,19 +110,22 @@ class Closed(NamedTuple, Generic[S]):
         return self.goal, self.owner, self.outcome, self.link.number
 
 
-Key: TypeAlias = "tuple[Instance[S], ...]"  # the instances in the order in which they were last touched
+Key: TypeAlias = "tuple[Body[S], ...]"  # the open instances in the order in which they were last touched
 
 
 class Hypothesis(NamedTuple, Generic[S]):
     """Open instances, their weight over all derivations, and the heaviest one's weight and story."""
 
-    instances: Key[S]
+    instances: tuple[Instance[S], ...]
     weight: float
     best: float
-    links: tuple[Link[S], ...]  # of each instance
     closed: tuple[Closed[S], ...] = ()  # lately, and not told yet
     needless: tuple[int, ...] = ()  # numbers of observations, lately
-    last: int | None = None  # the goal of the last observation
+
+    @property
+    def key(self) -> Key[S]:
+        """What it is equal by."""
+        return tuple([instance.body for instance in self.instances])
 
 
 @dataclass(frozen=True)
@@ -87,7 +135,7 @@ class Level(Generic[S]):
     ``hypotheses`` are sorted by weight; the weights sum to 1. ``counts`` are the observations of each agent so far.
     ``current`` is each goal's share of what the last observation was taken for. ``dropped`` is the share of the weight
     that was dropped with this observation, ``told`` the episodes that all agree on, lately, and ``settled`` those of
-    them that this observation settled.
+    them that this observation settled. ``nearest`` and ``why`` are told of an action that no plan has.
     """
 
     hypotheses: Sequence[Hypothesis[S]]
@@ -100,17 +148,10 @@ class Level(Generic[S]):
     dropped: float = 0.0
     told: tuple[Closed[S], ...] = ()
     settled: tuple[Closed[S], ...] = ()
-    nearest: str | None = None  # of an action that no plan has: the one that is meant, perhaps
+    nearest: str | None = None
     why: tuple[str, ...] = ()
 
 
 def nothing() -> Level[S]:
     """What is believed before anything was seen."""
-    return Level((Hypothesis((), 1.0, 1.0, ()),), 0, {})
-
-
-def instances_of(levels: Sequence[Level[S]]) -> Iterator[Instance[S]]:
-    """Every instance that is kept."""
-    for level in levels:
-        for hypothesis in level.hypotheses:
-            yield from hypothesis.instances
+    return Level((Hypothesis((), 1.0, 1.0),), 0, {})

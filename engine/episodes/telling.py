@@ -8,7 +8,7 @@ from typing import Generic, TypeVar
 
 from casper.engine.episodes.episode import Account, Episode, Needless
 from casper.engine.episodes.growing import Growing
-from casper.engine.episodes.hypotheses import Closed, Hypothesis, Level, Link, Outcome
+from casper.engine.episodes.hypotheses import Closed, Hypothesis, Instance, Level, Link, Outcome
 
 S = TypeVar("S")
 
@@ -23,8 +23,7 @@ class Teller(Generic[S]):
         """A hypothesis as a row of episodes."""
         told = [self.closed(closed) for closed in (*self._levels[-1].told, *hypothesis.closed)]
         told.sort(key=lambda episode: episode.observations[-1])
-        pairs = zip(hypothesis.instances, hypothesis.links)
-        under_way = [self._episode(i.goal, i.owner, None, link, self._growing.least_left(i.state)) for i, link in pairs]
+        under_way = [self._under_way(instance) for instance in hypothesis.instances]
         under_way.sort(key=lambda episode: episode.observations[0])
         whole = sum(other.weight for other in self._levels[-1].hypotheses)
         shares = hypothesis.weight / whole, hypothesis.best / whole
@@ -33,6 +32,11 @@ class Teller(Generic[S]):
     def closed(self, closed: Closed[S]) -> Episode:
         """An episode that is over."""
         return self._episode(closed.goal, closed.owner, closed.outcome, closed.link, closed.left)
+
+    def _under_way(self, instance: Instance[S]) -> Episode:
+        goal, state, _ = instance.body.entries[0]
+        left = self._growing.least_left(state)
+        return self._episode(goal, instance.body.owner, None, instance.links[0], left)
 
     def _episode(self, goal: int, owner: str | None, outcome: Outcome | None, link: Link[S], left: int) -> Episode:
         links = link.all()
@@ -44,12 +48,12 @@ class Teller(Generic[S]):
             self._growing.goals[goal],
             owner,
             outcome,
-            links[0].t,
-            link.t,
+            links[0].event.t,
+            link.event.t,
             len(links),
             missed,
             tuple(each.number for each in links),
-            self._growing.goal_of(link.taken.step.state),
+            self._growing.goal_of(link.step.state),
             left,
             partial(self._growing.tree, goal, history),
         )
