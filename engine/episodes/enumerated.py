@@ -18,7 +18,7 @@ from casper.engine.explanation.situation import Situation
 from casper.engine.verification.matching import Binding, Matcher, Mismatch, bindings_of
 from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.kb.terms.terms import Compound
-from casper.kb.terms.unification import is_ground, substitute
+from casper.kb.terms.unification import is_ground, substitute, variables_of
 from casper.plans.trees.plan import Plan
 
 if TYPE_CHECKING:
@@ -80,10 +80,12 @@ class Enumerated:
         numbers = {label: number for number, label in enumerate(self.goals)}
         self._ways: list[list[int]] = [[] for _ in self.goals]
         self._named: list[dict[str, list[int]]] = []
+        self._free: list[list[int]] = []  # how many parameters each leaf has
         self._having: dict[str, list[int]] = {}  # by action: the goals that have it
         for number, plan in enumerate(plans):
             self._ways[numbers[plan.label]].append(number)
             self._named.append({})
+            self._free.append([len(set(variables_of(leaf))) for leaf in plan.leaves])
             for at, leaf in enumerate(plan.leaves):
                 self._named[-1].setdefault(leaf.functor, []).append(at)
         for goal, ways in enumerate(self._ways):
@@ -157,7 +159,10 @@ class Enumerated:
                 after = plan.chart.close((closed, entered, 0, 0), leaf)
                 if after[3] <= self.most_missed:
                     standing = Standing(goal, number, after[0], after[1], bound)
-                    found.append(Step(standing, after[3], plan.leaves[leaf], weight))
+                    fresh = 0
+                    if bound != binding:
+                        fresh = min(binding.count(None) - bound.count(None), self._free[number][leaf])
+                    found.append(Step(standing, after[3], plan.leaves[leaf], weight, False, fresh))
         return found
 
     def _begun(self, state: Standing, matcher: Matcher) -> Iterator[Standing]:

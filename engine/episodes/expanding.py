@@ -9,6 +9,8 @@ an observation of agent a leads to
 * a goal beginning: w * beta * prior / choices * mu ** missed, with 1 for beta where a has nothing open;
 * nothing: w * nu.
 
+Each argument that nothing has settled before, of a leaf or of a needless action, costs the price of that besides.
+
 This is the pending set of PHATT (Geib and Goldman, Artificial Intelligence 173, 2009, section 4) with prices for what
 it lacks, and with the goals of what began summed out. Work is bounded: see `Bounds`.
 """
@@ -24,6 +26,7 @@ from casper.engine.episodes.growth import Finish, Grower, Growth
 from casper.engine.episodes.hypotheses import Event, Hypothesis, Instance, Key, Level
 from casper.engine.episodes.idling import Idling
 from casper.engine.episodes.prices import Prices
+from casper.engine.verification.observation import Seen, options_of
 
 S = TypeVar("S")
 NEEDLESS, BEGINS = -2, -1  # in place of the number of the instance that goes on
@@ -78,14 +81,14 @@ class Expansion(Generic[S]):
     def run(self, level: Level[S]) -> None:
         """Expand every hypothesis."""
         self._counts = level.counts
-        begun = self._grower.begun(self._priors)
+        begun, needless = self._grower.begun(self._priors), needless_price(self._prices, self._event.seen)
         for hypothesis in level.hypotheses:
             key = hypothesis.key
             is_free = self._go_on(hypothesis, key)
             if begun is not None:
                 begin = 1.0 if is_free else self._prices.begin
                 self._grow(hypothesis, key, BEGINS, begun, begin)
-            self._add(key, self._prices.needless, Way(hypothesis, NEEDLESS, None, None))
+            self._add(key, needless, Way(hypothesis, NEEDLESS, None, None))
 
     @property
     def current(self) -> dict[int, float]:
@@ -142,6 +145,13 @@ class Expansion(Generic[S]):
         """The probability that an instance is still pursued."""
         body, table = key[at], self._idling.alive(together)
         return table[min(self._counts.get(body.owner, 0) - body.touched, len(table) - 1)]
+
+
+def needless_price(prices: Prices, seen: Seen) -> float:
+    """What it costs that an observation serves no goal."""
+    options = options_of(seen)
+    weights = [weight * prices.settled**option.known_args for option, weight in options]
+    return prices.needless * sum(weights)
 
 
 def closing_prices(growing: Growing[S], prices: Prices, instance: Instance[S]) -> Sequence[float]:

@@ -89,11 +89,11 @@ class Grower(Generic[S]):
     def _made(
         self, steps: Iterable[tuple[int, float, Step[S], Link[S] | None]], owner: str | None, touched: int
     ) -> Growth[S] | None:
-        missed = self._prices.missed
+        missed, settled = self._prices.missed, self._prices.settled
         found: dict[S, list[Any]] = {}  # goal, factor, the largest part of it, its step and the link before
         for goal, share, step, before in steps:
-            state, skipped, _, weight, _ = step
-            factor = share * weight * missed**skipped if skipped else share * weight
+            state, skipped, _, weight, _, fresh = step
+            factor = share * weight * missed**skipped * settled**fresh
             known = found.get(state)
             if known is None:
                 found[state] = [goal, factor, factor, step, before]

@@ -1,7 +1,7 @@
 """What it costs to believe that a partner begins, drops, adds or skips something: settings with defaults.
 
     setting(plans, begin, 0.05).     setting(plans, abandon, 0.02).     setting(plans, needless, 0.002).
-    setting(plans, missed, 0.1).     setting(plans, helping, 0.02).
+    setting(plans, missed, 0.1).     setting(plans, helping, 0.02).     setting(plans, settled, 0.1).
 """
 
 from __future__ import annotations
@@ -24,7 +24,8 @@ class Prices:
 
     begin: that the next action begins a goal while another is open. abandon: that a goal is given up. needless: one
     action that serves no goal. missed: one action of a plan that was done and not seen. helping: that an action serves
-    a goal which somebody else began.
+    a goal which somebody else began. settled: that a thing which nothing has settled so far, a parameter of a plan or
+    an argument of a needless action, is the one that is seen.
     """
 
     begin: float = 0.05
@@ -32,6 +33,7 @@ class Prices:
     needless: float = 0.002
     missed: float = 0.1
     helping: float = 0.02
+    settled: float = 0.1
 
     def __post_init__(self) -> None:
         for field in fields(self):
