@@ -39,8 +39,8 @@ class Bounds:
     What was believed, and what has closed, is kept for ``lag`` observations.
     """
 
-    keep: int = 150
-    floor: float = 1e-6
+    keep: int = 100
+    floor: float = 1e-4
     lag: int = 100
 
 

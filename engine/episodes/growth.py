@@ -12,7 +12,7 @@ from casper.engine.episodes.prices import Prices
 
 S = TypeVar("S")
 MOST_ENTRIES = 300  # what one instance may be
-LEAST_ENTRY = 1e-4  # of the likeliest one's share
+LEAST_ENTRY = 1e-3  # of the likeliest one's share
 _FACTOR: Callable[[list[Any]], float] = itemgetter(1)
 
 

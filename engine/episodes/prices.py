@@ -1,6 +1,6 @@
 """What it costs to believe that a partner begins, drops, adds or skips something: settings with defaults.
 
-    setting(plans, begin, 0.05).     setting(plans, abandon, 0.02).     setting(plans, needless, 0.002).
+    setting(plans, begin, 0.05).     setting(plans, abandon, 0.003).     setting(plans, needless, 0.01).
     setting(plans, missed, 0.1).     setting(plans, helping, 0.02).     setting(plans, settled, 0.1).
 """
 
@@ -29,8 +29,8 @@ class Prices:
     """
 
     begin: float = 0.05
-    abandon: float = 0.02
-    needless: float = 0.002
+    abandon: float = 0.003
+    needless: float = 0.01
     missed: float = 0.1
     helping: float = 0.02
     settled: float = 0.1
