@@ -105,7 +105,8 @@ def carried_out(plan: Plan, chance: random.Random, vessel: str, foods: list[str]
     values: dict[Term, Term] = {}
     for variable in plan.variables:
         values[variable] = vessel if variable.name == "C" else "plate" if variable.name == "D" else _some(foods)
-    return [Observation(leaf.functor, tuple(values.get(arg, arg) for arg in leaf.args)) for leaf in _row(plan.root, chance)]
+    done = _row(plan.root, chance)
+    return [Observation(leaf.functor, tuple(values.get(arg, arg) for arg in leaf.args)) for leaf in done]
 
 
 def _some(foods: list[str]) -> str:

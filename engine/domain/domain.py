@@ -18,7 +18,7 @@ from typing import Any
 from casper.engine.domain.printing import domain_lines, domain_name
 from casper.engine.episodes.day import Day
 from casper.engine.episodes.enumerated import MOST_MISSED, Enumerated, Standing
-from casper.engine.episodes.expanding import Bounds
+from casper.engine.episodes.growth import Bounds
 from casper.engine.episodes.prices import prices_of
 from casper.engine.explanation.situation import Situation
 from casper.engine.reading.policy import policy_named
@@ -167,7 +167,7 @@ class Domain:
                 ``setting(plans, begin, P)`` and so on, or the defaults.
             verification: False sees action names only and never asks the knowledge base about an observation.
             most_missed: how many leaves may go unseen before one that is seen.
-            bounds: how much is kept (`engine.episodes.expanding`).
+            bounds: how much is kept (`engine.episodes.growth`).
 
         Raises:
             CasperError: prices or priors that make no sense. PlanError: the domain has no plans.

@@ -8,8 +8,9 @@ from dataclasses import replace
 from typing import Generic, TypeVar
 
 from casper.engine.episodes.agreeing import settle
-from casper.engine.episodes.expanding import BEGINS, NEEDLESS, Bounds, Candidate, Expansion, closing_prices
+from casper.engine.episodes.expanding import BEGINS, NEEDLESS, Candidate, Expansion, closing_prices
 from casper.engine.episodes.growing import Growing
+from casper.engine.episodes.growth import Bounds
 from casper.engine.episodes.hypotheses import Closed, Event, Hypothesis, Instance, Key, Level, Outcome
 from casper.engine.episodes.idling import SOON, Idling
 from casper.engine.episodes.prices import Prices
@@ -27,7 +28,7 @@ class Advance(Generic[S]):
 
     def observed(self, level: Level[S], event: Event) -> Level[S]:
         """The level after an observation that the plans may explain."""
-        expansion = Expansion(self.growing, self.prices, self._priors, self.idling, self.bounds.floor, event)
+        expansion = Expansion(self.growing, self.prices, self._priors, self.idling, self.bounds, event)
         expansion.run(level)
         candidates = expansion.candidates
         found = self._lasting(candidates)

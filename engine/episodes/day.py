@@ -16,8 +16,8 @@ from typing import Any, Generic
 from casper.engine.collaboration.collaboration import CollaborativePlan
 from casper.engine.episodes.advancing import Advance
 from casper.engine.episodes.episode import Account, Episode, Needless
-from casper.engine.episodes.expanding import Bounds
 from casper.engine.episodes.growing import Growing
+from casper.engine.episodes.growth import Bounds
 from casper.engine.episodes.hypotheses import Body, Event, Hypothesis, Level, S, nothing
 from casper.engine.episodes.nearest import Vocabulary
 from casper.engine.episodes.prices import Prices

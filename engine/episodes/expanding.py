@@ -12,17 +12,16 @@ an observation of agent a leads to
 Each argument that nothing has settled before, of a leaf or of a needless action, costs the price of that besides.
 
 This is the pending set of PHATT (Geib and Goldman, Artificial Intelligence 173, 2009, section 4) with prices for what
-it lacks, and with the goals of what began summed out. Work is bounded: see `Bounds`.
+it lacks, and with the goals of what began summed out. Work is bounded (`growth.Bounds`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Generic, NamedTuple, TypeVar
 
 from casper.engine.episodes.growing import Growing
-from casper.engine.episodes.growth import Finish, Grower, Growth
+from casper.engine.episodes.growth import Bounds, Finish, Grower, Growth
 from casper.engine.episodes.hypotheses import Event, Hypothesis, Instance, Key, Level
 from casper.engine.episodes.idling import Idling
 from casper.engine.episodes.prices import Prices
@@ -30,18 +29,6 @@ from casper.engine.verification.observation import Seen, options_of
 
 S = TypeVar("S")
 NEEDLESS, BEGINS = -2, -1  # in place of the number of the instance that goes on
-
-
-@dataclass(frozen=True, slots=True)
-class Bounds:
-    """How much is kept: the ``keep`` heaviest hypotheses, none below ``floor`` of the heaviest one's weight.
-
-    What was believed, and what has closed, is kept for ``lag`` observations.
-    """
-
-    keep: int = 100
-    floor: float = 1e-4
-    lag: int = 100
 
 
 class Way(NamedTuple, Generic[S]):
@@ -70,10 +57,10 @@ class Expansion(Generic[S]):
     """
 
     def __init__(
-        self, growing: Growing[S], prices: Prices, priors: list[float], idling: Idling, floor: float, event: Event
+        self, growing: Growing[S], prices: Prices, priors: list[float], idling: Idling, bounds: Bounds, event: Event
     ) -> None:
-        self._prices, self._priors, self._idling, self._least, self._event = prices, priors, idling, floor, event
-        self._grower = Grower(growing, prices, event)
+        self._prices, self._priors, self._idling, self._least, self._event = prices, priors, idling, bounds.floor, event
+        self._grower = Grower(growing, prices, bounds, event)
         self._weights: dict[Growth[S], float] = {}
         self.candidates: dict[Key[S], Candidate[S]] = {}
         self.dropped = self._floor = 0.0

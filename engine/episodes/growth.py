@@ -3,17 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from operator import itemgetter
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from casper.engine.episodes.growing import Growing, Step
 from casper.engine.episodes.hypotheses import Body, Entry, Event, Instance, Link
 from casper.engine.episodes.prices import Prices
+from casper.engine.settings import require
 
 S = TypeVar("S")
-MOST_ENTRIES = 300  # what one instance may be
-LEAST_ENTRY = 1e-3  # of the likeliest one's share
 _FACTOR: Callable[[list[Any]], float] = itemgetter(1)
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """How much is kept.
+
+    keep: the heaviest hypotheses, none below ``floor`` of the heaviest one's weight. entries: what one instance may
+    be, none below ``least`` of its likeliest one. lag: for how many observations what was believed and what closed is
+    kept.
+    """
+
+    keep: int = 100
+    floor: float = 1e-4
+    entries: int = 300
+    least: float = 1e-3
+    lag: int = 100
+
+    def __post_init__(self) -> None:
+        require(min(self.keep, self.entries, self.lag) >= 1, "keep, entries and lag of a day start at 1")
+        require(0 <= self.floor < 1 and 0 <= self.least < 1, "floor and least of a day are from 0 and below 1")
 
 
 class Finish(NamedTuple, Generic[S]):
@@ -47,8 +67,8 @@ class Growth(Generic[S]):
 class Grower(Generic[S]):
     """Grows instances by one observation; equal bodies are made once."""
 
-    def __init__(self, growing: Growing[S], prices: Prices, event: Event) -> None:
-        self._growing, self._prices, self._event = growing, prices, event
+    def __init__(self, growing: Growing[S], prices: Prices, bounds: Bounds, event: Event) -> None:
+        self._growing, self._prices, self._bounds, self._event = growing, prices, bounds, event
         self._grown: dict[Instance[S], Growth[S] | None] = {}
         self._bodies: dict[Any, Body[S]] = {}
 
@@ -120,8 +140,8 @@ class Grower(Generic[S]):
             else:
                 going.append(made)
         going.sort(key=_FACTOR, reverse=True)
-        kept = going[:MOST_ENTRIES]
-        least = going[0][1] * LEAST_ENTRY if going else 0.0
+        kept = going[: self._bounds.entries]
+        least = going[0][1] * self._bounds.least if going else 0.0
         while kept and kept[-1][1] < least:
             kept.pop()
         whole = sum(map(_FACTOR, kept))
