@@ -14,6 +14,7 @@ from casper.engine.episodes.growth import Bounds
 from casper.engine.episodes.hypotheses import Closed, Event, Hypothesis, Instance, Key, Level, Outcome
 from casper.engine.episodes.idling import SOON, Idling
 from casper.engine.episodes.prices import Prices
+from casper.engine.verification.vocabulary import Foreign
 
 S = TypeVar("S")
 
@@ -41,10 +42,10 @@ class Advance(Generic[S]):
         made = [self._made(candidate, event) for candidate in found]
         return self._level(level, event, made, current, dropped / whole)
 
-    def unknown(self, level: Level[S], event: Event, nearest: str | None, why: Sequence[str]) -> Level[S]:
+    def unknown(self, level: Level[S], event: Event, foreign: Foreign) -> Level[S]:
         """The level after an action that no plan has: needless by every hypothesis."""
         made = [_needless(h, h.weight, h.best, event.number) for h in level.hypotheses]
-        return replace(self._level(level, event, made, {}, 0.0), nearest=nearest, why=tuple(why))
+        return replace(self._level(level, event, made, {}, 0.0), foreign=foreign)
 
     def over(self, level: Level[S]) -> Level[S]:
         """The level when nothing more will be observed: everything open is closed."""

@@ -19,16 +19,15 @@ from casper.engine.episodes.episode import Account, Episode, Needless
 from casper.engine.episodes.growing import Growing
 from casper.engine.episodes.growth import Bounds
 from casper.engine.episodes.hypotheses import Body, Event, Hypothesis, Level, S, nothing
-from casper.engine.episodes.nearest import Vocabulary
 from casper.engine.episodes.prices import Prices
 from casper.engine.episodes.printing import day_lines, day_name
 from casper.engine.episodes.telling import Teller
-from casper.engine.verification.observation import Observation, Observed, Seen, Uncertain, seen_of
+from casper.engine.verification.observation import Observed, Seen
+from casper.engine.verification.vocabulary import Vocabulary
 from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, as_term, predication
+from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.lines import Line, text_of
-from casper.kb.text.reader import read_statement
 
 AS_IT_WERE: Bounds = Bounds()
 
@@ -60,11 +59,9 @@ class Day(Generic[S]):
         whole = sum((priors or {}).get(goal, 1.0) for goal in self._goals) or 1.0
         self._priors = [(priors or {}).get(goal, 1.0) / whole for goal in self._goals]
         self._vocabulary = Vocabulary(growing.leaves())
-        self._actions = self._vocabulary.indicators
         self._advance = Advance(growing, self.prices, self._priors, bounds)
         self._levels: deque[Level[S]] = deque([nothing()], bounds.lag + 1)
-        self._told: list[Episode] = []  # closed since the last call, and how many observations it had then
-        self._read: dict[str, Seen] = {}
+        self._told: list[Episode] = []  # closed since the last call
 
     # --- observing -------------------------------------------------------------------------------------------------
 
@@ -84,42 +81,16 @@ class Day(Generic[S]):
         """
         level = self._levels[-1]
         number = level.number + 1
-        seen, why = self._seen(observed)
+        seen = self._vocabulary.read(observed)
         event = Event(seen, agent, float(number) if t is None else t, number, level.counts.get(agent, 0) + 1)
-        if why:
-            action = seen if isinstance(seen, Observation) else seen.options[0][0]
-            nearest = self._vocabulary.nearest(action.action, action.args)
-            after = self._advance.unknown(level, event, nearest, why)
+        foreign = self._vocabulary.foreign(seen)
+        if foreign is not None:
+            after = self._advance.unknown(level, event, foreign)
         else:
             after = self._advance.observed(level, event)
         self._growing.observed(seen, agent, event.t)
         self._levels.append(after)
         self._told += [self._teller.closed(closed) for closed in after.settled]
-
-    def _seen(self, observed: Observed) -> tuple[Seen, tuple[str, ...]]:
-        """What was seen; and why no plan has it, where none has."""
-        if isinstance(observed, Uncertain):
-            observed = dict(observed.options)
-        if isinstance(observed, Mapping):
-            options = {self._observation(option): weight for option, weight in observed.items()}
-            known = {option: weight for option, weight in options.items() if not self._refusal(option)}
-            if known:
-                return seen_of(known, self._actions), ()
-            likelihoods = tuple((option, float(weight)) for option, weight in options.items())
-            return Uncertain(likelihoods), tuple(filter(None, map(self._refusal, options)))
-        seen = self._observation(observed)
-        refusal = self._refusal(seen)
-        return (seen, (refusal,)) if refusal else (seen_of(seen, self._actions), ())
-
-    @staticmethod
-    def _observation(observed: Any) -> Observation:
-        if isinstance(observed, Observation):
-            return observed
-        term = read_statement(observed) if isinstance(observed, str) else predication(observed)
-        return Observation(term.functor, term.args if len(term) > 1 else None)
-
-    def _refusal(self, seen: Observation) -> str | None:
-        return self._vocabulary.refusal(seen.action, seen.args)
 
     def finish(self) -> None:
         """The day is over: every goal that is open is closed, by what is cheaper to believe of it."""
@@ -244,12 +215,15 @@ class Day(Generic[S]):
 
     def reasons(self, observed: Observed, agent: str | None = None) -> dict[str, tuple[str, ...]]:
         """Why each open goal of the best hypothesis cannot take this action next; none of a goal that can."""
-        seen, why = self._seen(observed)
+        seen = self._vocabulary.read(observed)
+        foreign = self._vocabulary.foreign(seen)
         found: dict[str, tuple[str, ...]] = {}
         for instance in self._best.instances:
             goal, state, _ = instance.body.entries[0]
-            if why or not any(True for _ in self._growing.steps(state, seen, agent)):
-                found[self._goals[goal]] = why or tuple(self._growing.reasons(state, seen, agent))
+            if foreign is not None:
+                found[self._goals[goal]] = foreign.reasons
+            elif not self._growing.steps(state, seen, agent):
+                found[self._goals[goal]] = tuple(self._growing.reasons(state, seen, agent))
         return found
 
     @property

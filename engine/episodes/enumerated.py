@@ -15,8 +15,9 @@ from casper.engine.episodes.growing import Step, Taken
 from casper.engine.episodes.past import Past, with_statement
 from casper.engine.explanation.explanation import Explanation
 from casper.engine.explanation.situation import Situation
-from casper.engine.verification.matching import Binding, Matcher, Mismatch, bindings_of
+from casper.engine.verification.matching import Binding, Matcher, Mismatch, NameMatcher, bindings_of
 from casper.engine.verification.observation import Observation, Seen, options_of
+from casper.engine.verification.vocabulary import names_only
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import is_ground, substitute, variables_of
 from casper.plans.trees.plan import Plan
@@ -279,7 +280,8 @@ class Enumerated:
 
     def leaves(self) -> Sequence[Compound]:
         """The plans' actions, each once."""
-        return tuple(dict.fromkeys(leaf for plan in self.plans for leaf in plan.leaves))
+        leaves = [leaf for plan in self.plans for leaf in plan.leaves]
+        return tuple(dict.fromkeys(names_only(leaves) if isinstance(self._matcher, NameMatcher) else leaves))
 
     # --- the past ----------------------------------------------------------------------------------------------------
 

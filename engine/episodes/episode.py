@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from casper.engine.episodes.hypotheses import Outcome
 from casper.engine.verification.observation import Seen
+from casper.engine.verification.vocabulary import Foreign
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.lines import Line, Span, line, lines_of, one_line, text_of
@@ -86,32 +87,29 @@ class Episode:
 class Needless:
     """An observation that serves no goal.
 
-    ``nearest`` is what the plans have that comes closest, where no plan has the action or its arguments; ``reasons``
-    say then why no plan takes it.
+    ``foreign`` says why no plan has the action, or has it with these arguments, and what comes nearest.
     """
 
     number: int
     seen: Seen
     agent: str | None
     t: float
-    nearest: str | None = None
-    reasons: tuple[str, ...] = ()
+    foreign: Foreign | None = None
 
     def to_json(self) -> dict[str, Any]:
-        """``{"observation", "action", "agent", "t"}``, with ``nearest`` and ``reasons`` where no plan has it."""
+        """``{"observation", "action", "agent", "t"}``, with ``reasons`` and ``nearest`` where no plan has it."""
         told: dict[str, Any] = {
             "observation": self.number,
             "action": str(self.seen),
             "agent": self.agent,
             "t": self.t,
         }
-        if self.reasons:
-            told["reasons"] = list(self.reasons)
-        return {**told, "nearest": self.nearest} if self.nearest is not None else told
+        if self.foreign is None:
+            return told
+        return {**told, "reasons": list(self.foreign.reasons), "nearest": self.foreign.nearest}
 
     def __str__(self) -> str:
-        why = f" ({'; '.join(self.reasons)})" if self.reasons else ""
-        return f"{self.seen}{why}"
+        return str(self.seen) if self.foreign is None else f"{self.seen} ({self.foreign})"
 
 
 @dataclass(frozen=True)

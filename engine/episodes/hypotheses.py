@@ -18,6 +18,7 @@ from typing import Generic, Literal, NamedTuple, TypeAlias, TypeVar
 
 from casper.engine.episodes.growing import Step, Taken
 from casper.engine.verification.observation import Seen
+from casper.engine.verification.vocabulary import Foreign
 
 S = TypeVar("S")
 Outcome: TypeAlias = Literal["finished", "abandoned", "unclear"]
@@ -135,7 +136,7 @@ class Level(Generic[S]):
     ``hypotheses`` are sorted by weight; the weights sum to 1. ``counts`` are the observations of each agent so far.
     ``current`` is each goal's share of what the last observation was taken for. ``dropped`` is the share of the weight
     that was dropped with this observation, ``told`` the episodes that all agree on, lately, and ``settled`` those of
-    them that this observation settled. ``nearest`` and ``why`` are told of an action that no plan has.
+    them that this observation settled. ``foreign``: why no plan has the action, where none has.
     """
 
     hypotheses: Sequence[Hypothesis[S]]
@@ -148,8 +149,7 @@ class Level(Generic[S]):
     dropped: float = 0.0
     told: tuple[Closed[S], ...] = ()
     settled: tuple[Closed[S], ...] = ()
-    nearest: str | None = None
-    why: tuple[str, ...] = ()
+    foreign: Foreign | None = None
 
 
 def nothing() -> Level[S]:

@@ -64,10 +64,5 @@ class Teller(Generic[S]):
         for number in hypothesis.needless:
             level = levels.get(number)
             if level is not None and level.seen is not None:
-                found.append(Needless(number, level.seen, level.agent, level.t, level.nearest, self._why(level)))
+                found.append(Needless(number, level.seen, level.agent, level.t, level.foreign))
         return tuple(found)
-
-    @staticmethod
-    def _why(level: Level[S]) -> tuple[str, ...]:
-        hint = (f"did you mean {level.nearest}?",) if level.nearest is not None else ()
-        return (*level.why, *hint) if level.why else ()

@@ -48,8 +48,8 @@ def lived(library, prices, rows):
 def known(library, rows):
     """The observations whose actions the plans have, as the growing takes them."""
     day = Day(growing_of(library))
-    names = [(action, agent) for action, agent in rows if not day._seen(action)[1]]
-    return names, [(day._seen(action)[0], agent) for action, agent in names]
+    names = [(action, agent) for action, agent in rows if not day._vocabulary.foreign(day._vocabulary.read(action))]
+    return names, [(day._vocabulary.read(action), agent) for action, agent in names]
 
 
 def agree(library, prices, rows):
