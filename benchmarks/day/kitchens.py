@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from casper.engine.verification.observation import Observation
-from casper.kb.terms.terms import Term, Variable
+from casper.kb.terms.terms import Compound, Term, Variable
 from casper.plans.library import PlanLibrary
 from casper.plans.trees.nodes import Action, Node, Shape
 from casper.plans.trees.plan import Plan
@@ -77,7 +77,8 @@ def cooked(
     """
     pursued = chance.sample(plans, together)
     vessels = chance.sample(VESSELS, together)
-    foods = [food for food in FOODS if food not in {arg for plan in pursued for leaf in plan.leaves for arg in leaf.args}]
+    needed = {arg for plan in pursued for leaf in plan.leaves for arg in leaf.args}
+    foods = [food for food in FOODS if food not in needed]
     chance.shuffle(foods)
     rows = [carried_out(plan, chance, vessel, foods) for plan, vessel in zip(pursued, vessels)]
     starts, at = [0], 0
@@ -101,7 +102,7 @@ def cooked(
 
 
 def carried_out(plan: Plan, chance: random.Random, vessel: str, foods: list[str]) -> list[Observation]:
-    """A way to do the plan, in this vessel and with some of these foods (which are used up, unless they are the last)."""
+    """A way to do the plan, in this vessel and with some of these foods, which are used up but for the last one."""
     values: dict[Term, Term] = {}
     for variable in plan.variables:
         values[variable] = vessel if variable.name == "C" else "plate" if variable.name == "D" else _some(foods)
@@ -113,7 +114,7 @@ def _some(foods: list[str]) -> str:
     return foods.pop() if len(foods) > 1 else foods[0]
 
 
-def _row(node: Node, chance: random.Random) -> list:
+def _row(node: Node, chance: random.Random) -> list[Compound]:
     if isinstance(node, Action):
         return [node.term]
     waiting = [_row(child, chance) for child in node.children]

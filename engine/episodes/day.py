@@ -227,6 +227,20 @@ class Day(Generic[S]):
         return found
 
     @property
+    def rejected(self) -> dict[str, tuple[str, ...]]:
+        """The goals that are neither open nor begin with the last action, and why it cannot be their first."""
+        level = self._levels[-1]
+        if level.seen is None:
+            return {}
+        pursued, current = self.posterior, self.current
+        out = [goal for goal, label in enumerate(self._goals) if not pursued[label] and not current[label]]
+        if level.foreign is not None:
+            return {self._goals[goal]: level.foreign.reasons for goal in out}
+        begun = [(goal, self._growing.begin(goal)) for goal in out]
+        told = [(goal, self._growing.reasons(state, level.seen, level.agent)) for goal, state in begun]
+        return {self._goals[goal]: tuple(reasons) for goal, reasons in told}
+
+    @property
     def is_exact(self) -> bool:
         """Whether nothing was dropped lately."""
         return self.left_out == 0.0
@@ -253,18 +267,24 @@ class Day(Generic[S]):
         return Teller(self._growing, self._levels)
 
     def to_json(self, top: int = 3) -> dict[str, Any]:
-        """The object for ``casper explain --changes --json``: probabilities and the best rows of episodes."""
+        """The object for ``casper explain --changes --json``: the fields of a reading, and what only a day has.
+
+        An explanation is a row of episodes; ``explanations`` are the hypotheses kept, ``outcome`` is `leading`.
+        """
         best = self.best(max(top, 1))
         bound: dict[str, Any] = {} if self.is_exact else {"exact": False, "left_out": self.left_out}
         return {
             "observations": [str(seen) for seen in self.observations],
+            "explanations": self.states,
+            "confidence": best[0].share,
+            "outcome": self.leading,
             "posterior": dict(self.posterior),
+            "best": [account.to_json() for account in best[:top]],
+            "frontier": [term_text(as_term(action)) for action in self.frontier],
+            "rejected": [{"goal": goal, "reasons": list(reasons)} for goal, reasons in self.rejected.items()],
             "current": dict(self.current),
-            "leading": self.leading,
-            "hypotheses": [account.to_json() for account in best[:top]],
             "episodes": [episode.to_json() for episode in best[0].episodes],
             "needless": [needless.to_json() for needless in best[0].needless],
-            "frontier": [term_text(as_term(action)) for action in self.frontier],
             **bound,
         }
 

@@ -58,11 +58,15 @@ class Episode:
             "missed": self.missed,
             "observations": list(self.observations),
         }
+        return told if self.draw is None else {**told, "leaves": self.leaves()}
+
+    def leaves(self) -> list[dict[str, str]]:
+        """The actions of its plan, each with its status; none where the tree is lacking."""
         if self.draw is None:
-            return told
+            return []
         nodes = [data for _, data in self.tree().nodes(data=True) if data["kind"] == "action"]
-        leaves = sorted(nodes, key=lambda data: int(data["leaf"]))
-        return {**told, "leaves": [{"action": data["term"], "status": data["status"]} for data in leaves]}
+        in_order = sorted(nodes, key=lambda data: int(data["leaf"]))
+        return [{"action": data["term"], "status": data["status"]} for data in in_order]
 
     def lines(self) -> Iterator[Line]:
         """What became of it, and the marked tree."""
@@ -130,9 +134,13 @@ class Account:
         return tuple(episode.goal for episode in self.episodes)
 
     def to_json(self) -> dict[str, Any]:
-        """``{"share", "episodes", "needless"}``."""
+        """An entry of ``best`` as a reading has it, the leaves of all episodes in a row, with ``episodes``."""
         return {
+            "goal": row(self.episodes),
+            "goals": list(self.goals),
             "share": self.share,
+            "score": self.share_best,
+            "leaves": [leaf for episode in self.episodes for leaf in episode.leaves()],
             "episodes": [episode.to_json() for episode in self.episodes],
             "needless": [needless.to_json() for needless in self.needless],
         }
