@@ -1,4 +1,4 @@
-"""Kitchens: dishes of verbs, ingredients and containers that share most of their actions, and who cooks several at once.
+"""Kitchens: dishes of verbs, ingredients and containers that share most of their actions; several are cooked at once.
 
 A dish takes one to three ingredients, each through a few steps of its own in order, then heat, then some finish. What
 is an ingredient or a container of the dish may be a parameter that only a later action settles. No two dishes have the
@@ -72,8 +72,8 @@ def cooked(
 ) -> Seen:
     """So many dishes, begun at different times and interleaved, each carried out to its end.
 
-    At any time half of the steps go on with what was touched last. A container is used for one dish at a time, and so is
-    a food, but for what several dishes cannot do without.
+    At any time half of the steps go on with what was touched last. A container is used for one dish at a time, and so
+    is a food, but for what several dishes cannot do without.
     """
     pursued = chance.sample(plans, together)
     vessels = chance.sample(VESSELS, together)

@@ -69,7 +69,7 @@ class Advance(Generic[S]):
         agreed, settled = settle(scaled, event.number, lag)
         told = tuple(c for c in (*before.told, *settled) if c.number > event.number - lag)
         recent = [_recent(hypothesis, event.number - lag) for hypothesis in agreed]
-        seen, agent, t, number, _ = event
+        seen, agent, t, number, _, _ = event
         return Level(recent, number, counts, seen, agent, t, current, dropped, told, tuple(settled))
 
     def _lasting(self, candidates: Mapping[Key[S], Candidate[S]]) -> list[Candidate[S]]:

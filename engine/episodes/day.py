@@ -9,8 +9,9 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from copy import copy
+from difflib import get_close_matches
 from typing import Any, Generic
 
 from casper.engine.collaboration.collaboration import CollaborativePlan
@@ -56,6 +57,7 @@ class Day(Generic[S]):
         self.prices, self.bounds = prices or Prices(), bounds
         self._growing = growing
         self._goals = growing.goals
+        self._numbers = {goal: number for number, goal in enumerate(self._goals)}
         whole = sum((priors or {}).get(goal, 1.0) for goal in self._goals) or 1.0
         self._priors = [(priors or {}).get(goal, 1.0) / whole for goal in self._goals]
         self._vocabulary = Vocabulary(growing.leaves())
@@ -65,7 +67,13 @@ class Day(Generic[S]):
 
     # --- observing -------------------------------------------------------------------------------------------------
 
-    def observe(self, observed: Observed, t: float | None = None, agent: str | None = None) -> None:
+    def observe(
+        self,
+        observed: Observed,
+        t: float | None = None,
+        agent: str | None = None,
+        goals: Collection[str] | None = None,
+    ) -> None:
         """Take in one action: ``"eat"``, ``"eat(biscuits, plate)"``, or likelihoods ``{"eat": 0.7, "sip": 0.2}``.
 
         An action that no plan has is needless; `needless` tells it with the nearest action of the plans.
@@ -74,15 +82,18 @@ class Day(Generic[S]):
             observed: what was seen.
             t: when, in seconds; None: the number of the observation.
             agent: who did it; None: the partner, where there is one only.
+            goals: the labels of the goals it is known to serve, none at all where it is known to be needless; None:
+                nothing is known.
 
         Raises:
             ReadError: the text is no action.
-            CasperError: likelihoods that are none.
+            CasperError: likelihoods that are none, or a goal that is none.
         """
         level = self._levels[-1]
         number = level.number + 1
         seen = self._vocabulary.read(observed)
-        event = Event(seen, agent, float(number) if t is None else t, number, level.counts.get(agent, 0) + 1)
+        only = None if goals is None else frozenset(map(self._number_of, goals))
+        event = Event(seen, agent, float(number) if t is None else t, number, level.counts.get(agent, 0) + 1, only)
         foreign = self._vocabulary.foreign(seen)
         if foreign is not None:
             after = self._advance.unknown(level, event, foreign)
@@ -91,6 +102,13 @@ class Day(Generic[S]):
         self._growing.observed(seen, agent, event.t)
         self._levels.append(after)
         self._told += [self._teller.closed(closed) for closed in after.settled]
+
+    def _number_of(self, goal: str) -> int:
+        if goal not in self._numbers:
+            close = get_close_matches(goal, self._numbers, n=1)
+            hint = f"did you mean {close[0]}?" if close else f"the goals are {', '.join(self._goals)}"
+            raise CasperError(f"{goal} is no goal; {hint}")
+        return self._numbers[goal]
 
     def finish(self) -> None:
         """The day is over: every goal that is open is closed, by what is cheaper to believe of it."""

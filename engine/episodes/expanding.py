@@ -25,10 +25,11 @@ from casper.engine.episodes.growth import Bounds, Finish, Grower, Growth
 from casper.engine.episodes.hypotheses import Event, Hypothesis, Instance, Key, Level
 from casper.engine.episodes.idling import Idling
 from casper.engine.episodes.prices import Prices
-from casper.engine.verification.observation import Seen, options_of
+from casper.engine.verification.observation import options_of
 
 S = TypeVar("S")
 NEEDLESS, BEGINS = -2, -1  # in place of the number of the instance that goes on
+CONTRADICTION = 1e-9  # the factor of taking for needless what is known to serve a goal
 
 
 class Way(NamedTuple, Generic[S]):
@@ -68,7 +69,7 @@ class Expansion(Generic[S]):
     def run(self, level: Level[S]) -> None:
         """Expand every hypothesis."""
         self._counts = level.counts
-        begun, needless = self._grower.begun(self._priors), needless_price(self._prices, self._event.seen)
+        begun, needless = self._grower.begun(self._priors), needless_price(self._prices, self._event)
         for hypothesis in level.hypotheses:
             key = hypothesis.key
             is_free = self._go_on(hypothesis, key)
@@ -134,11 +135,10 @@ class Expansion(Generic[S]):
         return table[min(self._counts.get(body.owner, 0) - body.touched, len(table) - 1)]
 
 
-def needless_price(prices: Prices, seen: Seen) -> float:
-    """What it costs that an observation serves no goal."""
-    options = options_of(seen)
-    weights = [weight * prices.settled**option.known_args for option, weight in options]
-    return prices.needless * sum(weights)
+def needless_price(prices: Prices, event: Event) -> float:
+    """What it costs that an observation serves no goal; next to nothing may come of one that is known to serve some."""
+    weights = [weight * prices.settled**option.known_args for option, weight in options_of(event.seen)]
+    return prices.needless * sum(weights) * (CONTRADICTION if event.only else 1.0)
 
 
 def closing_prices(growing: Growing[S], prices: Prices, instance: Instance[S]) -> Sequence[float]:

@@ -87,7 +87,7 @@ class Grower(Generic[S]):
 
     def _first_steps(self, priors: list[float]) -> Iterator[tuple[int, float, Step[S], Link[S] | None]]:
         growing, seen, agent = self._growing, self._event.seen, self._event.agent
-        for goal in growing.begins_with(seen):
+        for goal in self._allowed(growing.begins_with(seen)):
             state = growing.begin(goal)
             steps = growing.steps(state, seen, agent)
             if steps:
@@ -95,11 +95,18 @@ class Grower(Generic[S]):
                 for step in steps:
                     yield goal, share, step, None
 
+    def _allowed(self, goals: Iterable[int]) -> Iterable[int]:
+        only = self._event.only
+        return goals if only is None else [goal for goal in goals if goal in only]
+
     def _steps(
         self, sources: Iterable[tuple[Entry[S], Link[S]]], helping: float
     ) -> Iterator[tuple[int, float, Step[S], Link[S] | None]]:
         growing, seen, agent = self._growing, self._event.seen, self._event.agent
+        only = self._event.only
         for (goal, state, share), link in sources:
+            if only is not None and goal not in only:
+                continue
             steps = growing.steps(state, seen, agent)
             if steps:
                 each = share / max(1, growing.choices(state))

@@ -46,13 +46,17 @@ class Body(Generic[S]):
 
 
 class Event(NamedTuple):
-    """An observation with what it is known by: who did it, when, its number (from 1), and among the agent's own."""
+    """An observation with what it is known by: who did it, when, its number (from 1), and among the agent's own.
+
+    ``only`` are the numbers of the goals it is known to serve; None: nothing is known.
+    """
 
     seen: Seen
     agent: str | None
     t: float
     number: int
     own_number: int
+    only: frozenset[int] | None = None
 
 
 class Link(NamedTuple, Generic[S]):
