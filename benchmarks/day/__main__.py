@@ -62,8 +62,7 @@ def main() -> int:
         score = whole_day(goals)
         told(f"(c) a day of {goals} goals: goals right", score.share, 0.95, f"{score.invented} episodes of no goal")
         times(score, 10, 100)
-        first, *_, last = score.kept
-        held.append(last <= 1.5 * max(score.kept[:2]))
+        held.append(score.kept[-1] <= 1.5 * max(score.kept[:2]))
         print(f"  objects kept, by quarter: {score.kept}; {'constant' if held[-1] else 'NOT constant'}")
     print(f"\n{'every bound held' if all(held) else 'some bound NOT held'}")
     return int(not all(held))

@@ -86,7 +86,7 @@ def kitchen(
 
 
 def changes(episodes: int) -> tuple[Score, Score, Score, Score]:
-    """Cooks who change: the new goal leads in time, ours and the filter's; who do not: no change announced, likewise."""
+    """Cooks who change: the new goal leads in time, ours and the filter's. Who do not: no change announced, likewise"""
     rows, chance = recipes.recipes(), random.Random(2)
     plans = recipes.library(rows).ways
     start, matcher = fresh(plans), ParameterMatcher(plans)

@@ -42,7 +42,8 @@ def recipes(seed: int = 0) -> dict[str, tuple[str, ...]]:
 
 def library(rows: dict[str, tuple[str, ...]]) -> PlanLibrary:
     """The recipes as plans."""
-    return PlanLibrary.from_text("\n".join(f"goal({name}).\n{name} --> {', '.join(row)}." for name, row in rows.items()))
+    lines = [f"goal({name}).\n{name} --> {', '.join(row)}." for name, row in rows.items()]
+    return PlanLibrary.from_text("\n".join(lines))
 
 
 def cook(rows: dict[str, tuple[str, ...]], changes: bool, chance: random.Random) -> Cook:

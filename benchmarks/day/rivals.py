@@ -1,4 +1,4 @@
-"""What a day is measured against: a recursive Bayesian filter, and the PHATT-style recogniser of the other benchmarks."""
+"""What a day is measured against: a recursive Bayesian filter, and the PHATT-style recogniser that is there already."""
 
 from __future__ import annotations
 
@@ -38,10 +38,10 @@ class BayesianFilter:
         self.weights = [max(weight / whole, 1e-300) for weight in self.weights]
 
     def _likelihood(self, number: int, plan: Plan, seen: Observation) -> float:
-        binding = self._bound[number]
-        left = len(plan.leaves) - self._done[number].bit_count()
+        binding, done = self._bound[number], self._done[number]
+        left = len(plan.leaves) - done.bit_count()
         for leaf, action in enumerate(plan.leaves):
-            if action.functor == seen.action and not self._done[number] >> leaf & 1 and not isinstance(binding, Mismatch):
+            if action.functor == seen.action and not done >> leaf & 1 and not isinstance(binding, Mismatch):
                 bound = self.matcher.match(number, leaf, seen, binding)
                 if not isinstance(bound, Mismatch):
                     self._bound[number] = bound

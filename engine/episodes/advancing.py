@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Generic, TypeVar
 
-from casper.engine.episodes.agreeing import settle
+from casper.engine.episodes.agreeing import mostly, numbers, settle
 from casper.engine.episodes.expanding import BEGINS, NEEDLESS, Candidate, Expansion, closing_prices
 from casper.engine.episodes.growing import Growing
 from casper.engine.episodes.growth import Bounds
@@ -51,8 +51,10 @@ class Advance(Generic[S]):
         """The level when nothing more will be observed: everything open is closed."""
         closed = [self._without(h, range(len(h.instances)), level.number) for h in level.hypotheses]
         best = max(closed, key=lambda hypothesis: hypothesis.weight)
-        told = (*level.told, *best.closed)
-        return replace(level, hypotheses=(best._replace(weight=1.0, closed=()),), told=told, settled=best.closed)
+        taken = {at for told in level.told for at in numbers(told.link)}
+        settled = tuple(found for found in best.closed if not mostly(found.link, taken))
+        told = (*level.told, *settled)
+        return replace(level, hypotheses=(best._replace(weight=1.0, closed=()),), told=told, settled=settled)
 
     def _level(
         self,
@@ -66,7 +68,7 @@ class Advance(Generic[S]):
         closed = self._closed(made, counts, event)
         total = sum(hypothesis.weight for hypothesis in closed)
         scaled = [_scaled(hypothesis, 1 / total) for hypothesis in closed]
-        agreed, settled = settle(scaled, event.number, lag)
+        agreed, settled = settle(scaled, event.number, lag, before.told)
         told = tuple(c for c in (*before.told, *settled) if c.number > event.number - lag)
         recent = [_recent(hypothesis, event.number - lag) for hypothesis in agreed]
         seen, agent, t, number, _, _ = event
@@ -105,8 +107,8 @@ class Advance(Generic[S]):
         if not any(expired):
             return hypotheses
         found: dict[Key[S], Hypothesis[S]] = {}
-        for hypothesis, numbers in zip(hypotheses, expired):
-            left = self._without(hypothesis, numbers, event.number) if numbers else hypothesis
+        for hypothesis, gone in zip(hypotheses, expired):
+            left = self._without(hypothesis, gone, event.number) if gone else hypothesis
             known = found.get(left.key)
             found[left.key] = left if known is None else _joined(known, left)
         return sorted(found.values(), key=lambda hypothesis: -hypothesis.weight)

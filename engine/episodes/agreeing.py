@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
-from casper.engine.episodes.hypotheses import Closed, Hypothesis
+from casper.engine.episodes.hypotheses import Closed, Hypothesis, Link
 
 S = TypeVar("S")
 SURE = 0.99  # the share of the weight of the hypotheses that agree
 
 
 def settle(
-    hypotheses: Sequence[Hypothesis[S]], number: int, lag: int
+    hypotheses: Sequence[Hypothesis[S]], number: int, lag: int, told: Sequence[Closed[S]]
 ) -> tuple[Sequence[Hypothesis[S]], list[Closed[S]]]:
-    """The hypotheses without the episodes that are settled, and those, in the order in which they ended.
+    """The hypotheses without the episodes that are settled, and those, in the order in which they closed.
 
     An episode is settled when hypotheses that hold `SURE` of the weight have it, or when it has waited for ``lag``
     observations in the best hypothesis: its outcome is then "unclear" unless most of the weight is for it. What rivals
     made of the same observations is settled with it, and never told.
+
+    Args:
+        hypotheses: the best first.
+        number: of the last observation.
+        lag: how many observations an episode may wait for.
+        told: what was settled before, lately.
     """
     shares: dict[tuple[int, str | None, str, int], float] = {}
     for hypothesis in hypotheses:
@@ -26,27 +32,31 @@ def settle(
             shares[closed.key] = shares.get(closed.key, 0.0) + hypothesis.weight * closed.sure
     if not shares:
         return hypotheses, []
-    best = hypotheses[0]
+    taken = {at for closed in told for at in numbers(closed.link)}
     settled: list[Closed[S]] = []
-    for closed in best.closed:
-        if shares[closed.key] >= SURE:
-            settled.append(closed)
-        elif closed.number <= number - lag:
-            settled.append(closed if shares[closed.key] > 0.5 else closed._replace(outcome="unclear"))
-    is_old = any(closed.number <= number - lag for hypothesis in hypotheses for closed in hypothesis.closed)
-    if not settled and not is_old:
-        return hypotheses, []
-    taken = {link.number for closed in settled for link in closed.link.all()}
+    for closed in hypotheses[0].closed:
+        is_sure, is_old = shares[closed.key] >= SURE, closed.number <= number - lag
+        if (is_sure or is_old) and not mostly(closed.link, taken):
+            is_likely = is_sure or shares[closed.key] > 0.5
+            settled.append(closed if is_likely else closed._replace(outcome="unclear"))
+            taken.update(numbers(closed.link))
     return [_without(hypothesis, taken, number - lag) for hypothesis in hypotheses], settled
 
 
+def numbers(link: Link[S]) -> list[int]:
+    """The numbers of the observations that an instance took."""
+    return [each.number for each in link.all()]
+
+
+def mostly(link: Link[S], taken: Iterable[int]) -> bool:
+    """Whether most of what an instance took is among these observations."""
+    own = numbers(link)
+    return 2 * len(set(own).intersection(taken)) > len(own)
+
+
 def _without(hypothesis: Hypothesis[S], taken: set[int], before: int) -> Hypothesis[S]:
-    """The hypothesis without the closed episodes that share observations with what is settled, or are too old."""
+    """The hypothesis without the closed episodes whose observations were settled otherwise, or that are too old."""
     if not hypothesis.closed:
         return hypothesis
-    kept = [
-        closed
-        for closed in hypothesis.closed
-        if closed.number > before and not any(link.number in taken for link in closed.link.all())
-    ]
-    return hypothesis._replace(closed=tuple(kept))
+    kept = tuple(c for c in hypothesis.closed if c.number > before and not mostly(c.link, taken))
+    return hypothesis._replace(closed=kept) if len(kept) < len(hypothesis.closed) else hypothesis

@@ -15,7 +15,16 @@ from casper.engine.episodes.growing import Step, Taken
 from casper.engine.episodes.past import Past, with_statement
 from casper.engine.explanation.explanation import Explanation
 from casper.engine.explanation.situation import Situation
-from casper.engine.verification.matching import Binding, Matcher, Mismatch, NameMatcher, bindings_of
+from casper.engine.verification.matching import (
+    Binding,
+    Matcher,
+    Mismatch,
+    NameMatcher,
+    ParameterMatcher,
+    bindings_of,
+    filled,
+    slots_of,
+)
 from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.engine.verification.vocabulary import names_only
 from casper.kb.terms.terms import Compound
@@ -74,6 +83,7 @@ class Enumerated:
         self.plans, self.most_missed = plans, most_missed
         self.goals: Sequence[str] = tuple(dict.fromkeys(plan.label for plan in plans))
         self._matcher, self._capability = matcher, capability
+        self._slots = [slots_of(plan) for plan in plans] if type(matcher) is ParameterMatcher else None
         self._verdicts = matcher if isinstance(matcher, LooksBack) else None
         self._matchers: dict[str | None, Matcher] = {}
         self._changes = 0
@@ -151,11 +161,20 @@ class Enumerated:
         goal, number, closed, entered, binding = at
         assert number is not None
         found: list[Step[Standing]] = []
+        args = seen.args or ()
+        plain = self._slots[number] if self._slots is not None and seen.is_plain else None  # no reasons are asked for
         for leaf in leaves:
             if not closed >> leaf & 1:
-                bound = matcher.match(number, leaf, seen, binding)
-                if isinstance(bound, Mismatch):
-                    continue
+                slots = None if plain is None else plain[leaf]
+                if slots is not None:
+                    bound = filled(slots, args, binding)
+                    if bound is None:
+                        continue
+                else:
+                    matched = matcher.match(number, leaf, seen, binding)
+                    if isinstance(matched, Mismatch):
+                        continue
+                    bound = matched
                 plan = self.plans[number]
                 after = plan.chart.close((closed, entered, 0, 0), leaf)
                 if after[3] <= self.most_missed:

@@ -84,7 +84,7 @@ class Episode:
         return text_of(self.lines())
 
     def __repr__(self) -> str:
-        return one_line(f"<Episode {self._told()}>")
+        return one_line(f"Episode {self._told()}")
 
 
 @dataclass(frozen=True)
@@ -158,7 +158,7 @@ class Account:
 
     def __repr__(self) -> str:
         row = ", ".join(f"{e.goal} ({e.outcome or 'under way'})" for e in self.episodes)
-        return one_line(f"<Account {self.share:.2f}: {row or 'nothing'}>")
+        return one_line(f"Account {self.share:.2f}: {row or 'nothing'}")
 
 
 def row(episodes: Sequence[Episode]) -> str:

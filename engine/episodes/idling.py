@@ -1,8 +1,8 @@
 """How likely a goal that was left alone is still pursued.
 
 With chance ``abandon`` a goal is given up once it was touched; otherwise its turn comes again. People stay with what
-they do, so among n open goals it comes after each observation with half of an even chance, 1 / (2 n + 2). After k
-observations that passed it by the odds that it is still pursued are (1 - abandon) / abandon * (1 - 1 / (2 n + 2)) ** k.
+they do, so among n open goals it comes after each observation with half of an even chance, 1 / (2 n). After k
+observations that passed it by the odds that it is still pursued are (1 - abandon) / abandon * (1 - 1 / (2 n)) ** k.
 With no other goal open what passes it by is needless, and says less: (9 / 10) ** k.
 """
 
@@ -26,7 +26,7 @@ class Idling:
         The table ends where that falls below the bound.
         """
         while len(self._tables) <= together:
-            self._tables.append(self._table(1 - 1 / (2 * len(self._tables) + 2)))
+            self._tables.append(self._table(1 - 1 / (2 * len(self._tables))))
         return self._tables[together]
 
     def _table(self, passes: float) -> tuple[float, ...]:

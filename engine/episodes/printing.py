@@ -79,4 +79,4 @@ def day_name(day: Lives) -> str:
     """One line: ``<Day of 9 observations: breakfast finished, lunch under way>``."""
     told = f"Day of {day.count} observation{'' if day.count == 1 else 's'}"
     row = ", ".join(f"{episode.goal} {episode.outcome or 'under way'}" for episode in day.episodes)
-    return one_line(f"<{told}: {row}>" if row else f"<{told}>")
+    return one_line(f"{told}: {row}" if row else told)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Generic, TypeVar
 
+from casper.engine.episodes.agreeing import mostly, numbers
 from casper.engine.episodes.episode import Account, Episode, Needless
 from casper.engine.episodes.growing import Growing
 from casper.engine.episodes.hypotheses import Closed, Hypothesis, Instance, Level, Link, Outcome
@@ -21,7 +22,10 @@ class Teller(Generic[S]):
 
     def account(self, hypothesis: Hypothesis[S]) -> Account:
         """A hypothesis as a row of episodes."""
-        told = [self.closed(closed) for closed in (*self._levels[-1].told, *hypothesis.closed)]
+        own = [*(c.link for c in hypothesis.closed), *(instance.links[0] for instance in hypothesis.instances)]
+        taken = {at for link in own for at in numbers(link)}  # a hypothesis may know better than what was told
+        settled = [closed for closed in self._levels[-1].told if not mostly(closed.link, taken)]
+        told = [self.closed(closed) for closed in (*settled, *hypothesis.closed)]
         told.sort(key=lambda episode: episode.observations[-1])
         under_way = [self._under_way(instance) for instance in hypothesis.instances]
         under_way.sort(key=lambda episode: episode.observations[0])

@@ -27,7 +27,7 @@ class Derivation(NamedTuple):
 
 
 def alive(prices, together, idle):
-    passes = 0.9 if together == 1 else 1 - 1 / (2 * together + 2)
+    passes = 0.9 if together == 1 else 1 - 1 / (2 * together)
     odds = (1 - prices.abandon) / prices.abandon * passes**idle
     return odds / (1 + odds)
 
