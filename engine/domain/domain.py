@@ -18,7 +18,7 @@ from typing import Any
 from casper.engine.domain.printing import domain_lines, domain_name
 from casper.engine.episodes.day import Day
 from casper.engine.episodes.enumerated import MOST_MISSED, Enumerated, Standing
-from casper.engine.episodes.growth import Bounds
+from casper.engine.episodes.hypotheses.growth import Bounds
 from casper.engine.episodes.prices import Prices, prices_of
 from casper.engine.explanation.situation import Situation
 from casper.engine.reading.policy import policy_named
@@ -168,7 +168,7 @@ class Domain:
                 says, by ``setting(plans, begin, P)`` and so on, or the defaults.
             verification: False sees action names only and never asks the knowledge base about an observation.
             most_missed: how many leaves may go unseen before one that is seen.
-            bounds: how much is kept (`engine.episodes.growth`).
+            bounds: how much is kept (`engine.episodes.hypotheses.growth`).
 
         Raises:
             CasperError: prices or priors that make no sense. PlanError: the domain has no plans.

@@ -15,11 +15,11 @@ from difflib import get_close_matches
 from typing import Any, Generic
 
 from casper.engine.collaboration.collaboration import CollaborativePlan
-from casper.engine.episodes.advancing import Advance
 from casper.engine.episodes.episode import Account, Episode, Needless
 from casper.engine.episodes.growing import Growing
-from casper.engine.episodes.growth import Bounds
-from casper.engine.episodes.hypotheses import Body, Event, Hypothesis, Level, S, nothing
+from casper.engine.episodes.hypotheses.advancing import Advance
+from casper.engine.episodes.hypotheses.growth import Bounds
+from casper.engine.episodes.hypotheses.hypothesis import Body, Event, Hypothesis, Level, S, nothing
 from casper.engine.episodes.prices import Prices
 from casper.engine.episodes.printing import day_lines, day_name
 from casper.engine.episodes.telling import Teller

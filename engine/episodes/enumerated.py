@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from copy import copy
-from typing import TYPE_CHECKING, NamedTuple, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, runtime_checkable
 
 from casper.engine.collaboration.collaboration import Capability, CollaborativePlan, collaborative_plan
 from casper.engine.episodes.growing import Step, Taken
@@ -21,6 +21,7 @@ from casper.engine.verification.matching import (
     Mismatch,
     NameMatcher,
     ParameterMatcher,
+    Recipe,
     bindings_of,
     filled,
     slots_of,
@@ -105,6 +106,11 @@ class Enumerated:
         self._first: dict[tuple[int, Seen, str | None], Sequence[Step[Standing]]] = {}  # of goals that begin
         self._choices: dict[tuple[int, int | None, int], int] = {}
         self._left: dict[tuple[int, int, int], int] = {}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """By what it was made of and what was observed; what was worked out is never sent."""
+        recipe: Recipe | Matcher = getattr(self._matcher, "recipe", self._matcher)
+        return _resumed, (self.plans, recipe, self._capability, self.most_missed, tuple(self._pasts))
 
     # --- going on ----------------------------------------------------------------------------------------------------
 
@@ -327,3 +333,13 @@ class Enumerated:
         if self.looks_back:
             other._matchers = {}
         return other
+
+
+def _resumed(
+    plans: Sequence[Plan], recipe: Recipe | Matcher, capability: Capability, most_missed: int, pasts: Sequence[Past]
+) -> Enumerated:
+    """One that remembers the same."""
+    matcher = recipe[0](plans, *recipe[1:]) if isinstance(recipe, tuple) else recipe
+    growing = Enumerated(plans, matcher, capability, most_missed)
+    growing._pasts = deque(pasts, LAG + 1)
+    return growing

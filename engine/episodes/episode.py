@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from casper.engine.episodes.hypotheses import Outcome
+from casper.engine.episodes.hypotheses.hypothesis import Outcome
 from casper.engine.verification.observation import Seen
 from casper.engine.verification.vocabulary import Foreign
 from casper.kb.terms.syntax import term_text

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Generic, TypeVar
 
-from casper.engine.episodes.agreeing import mostly, numbers
 from casper.engine.episodes.episode import Account, Episode, Needless
 from casper.engine.episodes.growing import Growing
-from casper.engine.episodes.hypotheses import Closed, Hypothesis, Instance, Level, Link, Outcome
+from casper.engine.episodes.hypotheses.agreeing import mostly, numbers
+from casper.engine.episodes.hypotheses.hypothesis import Closed, Hypothesis, Instance, Level, Link, Outcome
 
 S = TypeVar("S")
 

@@ -6,7 +6,7 @@ from readings import KITCHEN
 
 from casper.engine.episodes.day import Day
 from casper.engine.episodes.enumerated import Enumerated
-from casper.engine.episodes.growth import Bounds
+from casper.engine.episodes.hypotheses.growth import Bounds
 from casper.engine.episodes.prices import Prices
 from casper.engine.reading.reading import nobody_can
 from casper.engine.verification.matching import ParameterMatcher

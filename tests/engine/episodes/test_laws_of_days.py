@@ -1,6 +1,7 @@
 """What holds of every day: taking back, forks, the order of the library, bounded memory."""
 
 import gc
+import pickle
 import random
 
 import pytest
@@ -9,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from casper.engine.episodes.enumerated import Enumerated
-from casper.engine.episodes.growth import Bounds
+from casper.engine.episodes.hypotheses.growth import Bounds
 from casper.engine.episodes.past import MOST, RECENT, with_statement
 from casper.kb.errors import CasperError
 from casper.kb.terms.terms import Compound
@@ -77,6 +78,19 @@ def test_what_was_told_is_not_told_again_after_taking_back():
     assert day.closed() == []
     day.observe(BREAKFAST[-1])
     assert [episode.goal for episode in day.closed()] == ["breakfast"]
+
+
+@given(ACTIONS, ACTIONS)
+def test_a_day_goes_on_where_it_arrives(first, then):
+    day = observing(day_of(text([0, 1, 2])), *first)
+    arrived = pickle.loads(pickle.dumps(day))
+    assert said(arrived) == said(day)
+    assert said(observing(arrived, *then)) == said(observing(day, *then))
+
+
+def test_a_day_of_the_kitchen_is_sent_too():
+    arrived = observing(pickle.loads(pickle.dumps(lived(*BREAKFAST[:2]))), *BREAKFAST[2:])
+    assert row(arrived) == [("breakfast", "finished")]
 
 
 def objects(day):

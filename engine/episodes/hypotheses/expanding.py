@@ -21,9 +21,9 @@ from collections.abc import Sequence
 from typing import Generic, NamedTuple, TypeVar
 
 from casper.engine.episodes.growing import Growing
-from casper.engine.episodes.growth import Bounds, Finish, Grower, Growth
-from casper.engine.episodes.hypotheses import Event, Hypothesis, Instance, Key, Level
-from casper.engine.episodes.idling import Idling
+from casper.engine.episodes.hypotheses.growth import Bounds, Finish, Grower, Growth
+from casper.engine.episodes.hypotheses.hypothesis import Event, Hypothesis, Instance, Key, Level
+from casper.engine.episodes.hypotheses.idling import Idling
 from casper.engine.episodes.prices import Prices
 from casper.engine.verification.observation import options_of
 

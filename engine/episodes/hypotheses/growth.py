@@ -8,7 +8,7 @@ from operator import itemgetter
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from casper.engine.episodes.growing import Growing, Step
-from casper.engine.episodes.hypotheses import Body, Entry, Event, Instance, Link
+from casper.engine.episodes.hypotheses.hypothesis import Body, Entry, Event, Instance, Link
 from casper.engine.episodes.prices import Prices
 from casper.engine.settings import require
 

@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Generic, TypeVar
 
-from casper.engine.episodes.agreeing import mostly, numbers, settle
-from casper.engine.episodes.expanding import BEGINS, NEEDLESS, Candidate, Expansion, closing_prices
 from casper.engine.episodes.growing import Growing
-from casper.engine.episodes.growth import Bounds
-from casper.engine.episodes.hypotheses import Closed, Event, Hypothesis, Instance, Key, Level, Outcome
-from casper.engine.episodes.idling import SOON, Idling
+from casper.engine.episodes.hypotheses.agreeing import mostly, numbers, settle
+from casper.engine.episodes.hypotheses.expanding import BEGINS, NEEDLESS, Candidate, Expansion, closing_prices
+from casper.engine.episodes.hypotheses.growth import Bounds
+from casper.engine.episodes.hypotheses.hypothesis import Closed, Event, Hypothesis, Instance, Key, Level, Outcome
+from casper.engine.episodes.hypotheses.idling import SOON, Idling
 from casper.engine.episodes.prices import Prices
 from casper.engine.verification.vocabulary import Foreign
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
-from casper.engine.episodes.hypotheses import Closed, Hypothesis, Link
+from casper.engine.episodes.hypotheses.hypothesis import Closed, Hypothesis, Link
 
 S = TypeVar("S")
 SURE = 0.99  # the share of the weight of the hypotheses that agree
