@@ -8,7 +8,7 @@ from typing import Generic, TypeVar
 
 from casper.engine.episodes.episode import Account, Episode, Needless
 from casper.engine.episodes.growing import Growing
-from casper.engine.episodes.hypotheses.agreeing import mostly, numbers
+from casper.engine.episodes.hypotheses.agreeing import contradicts, numbers
 from casper.engine.episodes.hypotheses.hypothesis import Closed, Hypothesis, Instance, Level, Link, Outcome
 
 S = TypeVar("S")
@@ -24,7 +24,7 @@ class Teller(Generic[S]):
         """A hypothesis as a row of episodes."""
         own = [*(c.link for c in hypothesis.closed), *(instance.links[0] for instance in hypothesis.instances)]
         taken = {at for link in own for at in numbers(link)}  # a hypothesis may know better than what was told
-        settled = [closed for closed in self._levels[-1].told if not mostly(closed.link, taken)]
+        settled = [closed for closed in self._levels[-1].told if not contradicts(closed, taken)]
         told = [self.closed(closed) for closed in (*settled, *hypothesis.closed)]
         told.sort(key=lambda episode: episode.observations[-1])
         under_way = [self._under_way(instance) for instance in hypothesis.instances]

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Generic, TypeVar
 
 from casper.engine.episodes.growing import Growing
-from casper.engine.episodes.hypotheses.agreeing import mostly, numbers, settle
+from casper.engine.episodes.hypotheses.agreeing import contradicts, numbers, settle
 from casper.engine.episodes.hypotheses.expanding import BEGINS, NEEDLESS, Candidate, Expansion, closing_prices
 from casper.engine.episodes.hypotheses.growth import Bounds
 from casper.engine.episodes.hypotheses.hypothesis import Closed, Event, Hypothesis, Instance, Key, Level, Outcome
@@ -52,7 +52,7 @@ class Advance(Generic[S]):
         closed = [self._without(h, range(len(h.instances)), level.number) for h in level.hypotheses]
         best = max(closed, key=lambda hypothesis: hypothesis.weight)
         taken = {at for told in level.told for at in numbers(told.link)}
-        settled = tuple(found for found in best.closed if not mostly(found.link, taken))
+        settled = tuple(found for found in best.closed if not contradicts(found, taken))
         told = (*level.told, *settled)
         return replace(level, hypotheses=(best._replace(weight=1.0, closed=()),), told=told, settled=settled)
 

@@ -36,7 +36,7 @@ def settle(
     settled: list[Closed[S]] = []
     for closed in hypotheses[0].closed:
         is_sure, is_old = shares[closed.key] >= SURE, closed.number <= number - lag
-        if (is_sure or is_old) and not mostly(closed.link, taken):
+        if (is_sure or is_old) and not contradicts(closed, taken):
             is_likely = is_sure or shares[closed.key] > 0.5
             settled.append(closed if is_likely else closed._replace(outcome="unclear"))
             taken.update(numbers(closed.link))
@@ -48,15 +48,19 @@ def numbers(link: Link[S]) -> list[int]:
     return [each.number for each in link.all()]
 
 
-def mostly(link: Link[S], taken: Iterable[int]) -> bool:
-    """Whether most of what an instance took is among these observations."""
-    own = numbers(link)
-    return 2 * len(set(own).intersection(taken)) > len(own)
+def contradicts(closed: Closed[S], taken: Iterable[int]) -> bool:
+    """Whether an episode cannot be told beside others that took these observations: an action serves one goal.
+
+    One that was finished stands for itself, unless most of its observations are among them.
+    """
+    own = numbers(closed.link)
+    shared = len(set(own).intersection(taken))
+    return 2 * shared > len(own) or (shared > 0 and closed.outcome == "abandoned")
 
 
 def _without(hypothesis: Hypothesis[S], taken: set[int], before: int) -> Hypothesis[S]:
     """The hypothesis without the closed episodes whose observations were settled otherwise, or that are too old."""
     if not hypothesis.closed:
         return hypothesis
-    kept = tuple(c for c in hypothesis.closed if c.number > before and not mostly(c.link, taken))
+    kept = tuple(c for c in hypothesis.closed if c.number > before and not contradicts(c, taken))
     return hypothesis._replace(closed=kept) if len(kept) < len(hypothesis.closed) else hypothesis
