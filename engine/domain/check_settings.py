@@ -10,6 +10,7 @@ from typing import Any
 from casper.engine.actions.prediction import action_settings
 from casper.engine.domain.agents import strangers
 from casper.engine.domain.relations import SECTIONS
+from casper.engine.episodes.prices import prices_of
 from casper.engine.movements.movements import movement_classifier
 from casper.engine.perception.focus import focus_settings
 from casper.engine.perception.perception import perception_settings
@@ -27,6 +28,7 @@ _STAGES: tuple[tuple[str, int, Callable[[Rows], Any]], ...] = (
     ("setting", 3, focus_settings),
     ("setting", 3, action_settings),
     ("setting", 3, history_settings),
+    ("setting", 3, prices_of),
     ("movement", 5, movement_classifier),
 )
 _QUOTED = re.compile(r"(\w+)\((\w+)(?:, (\w+))?")

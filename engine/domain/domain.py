@@ -17,6 +17,10 @@ from typing import Any
 
 from casper.engine.domain.agents import agent_of, partners_of
 from casper.engine.domain.printing import domain_lines, domain_name
+from casper.engine.episodes.day import Day
+from casper.engine.episodes.enumerated import MOST_MISSED, Enumerated, Standing
+from casper.engine.episodes.hypotheses.growth import Bounds
+from casper.engine.episodes.prices import Prices, prices_of
 from casper.engine.explanation.situation import Situation
 from casper.engine.reading.policy import policy_named
 from casper.engine.reading.priors import priors_of
@@ -26,7 +30,7 @@ from casper.engine.recognition.scoring import score_named
 from casper.engine.verification.matching import Agents, Matcher, Mismatch, NameMatcher, ParameterMatcher, bindings_of
 from casper.engine.verification.verified_matching import VerifyingMatcher, settle
 from casper.kb.base import KnowledgeBase
-from casper.kb.errors import DomainError, PlanError
+from casper.kb.errors import DomainError, Place, PlanError
 from casper.kb.program.refusals import undefined_sentence
 from casper.kb.terms.clauses import Clause, Production, Sentence
 from casper.kb.terms.terms import Compound, as_term
@@ -153,6 +157,48 @@ class Domain:
                     self._unread.clear()
                 self._unread[key] = fresh
             return self._unread[key].fork()
+
+    def day(
+        self,
+        begin: float | None = None,
+        abandon: float | None = None,
+        needless: float | None = None,
+        missed: float | None = None,
+        helping: float | None = None,
+        settled: float | None = None,
+        verification: bool = True,
+        most_missed: int = MOST_MISSED,
+        bounds: Bounds | None = None,
+    ) -> Day[Standing]:
+        """A fresh day with one partner or several: goal after goal, several at once, changes of mind.
+
+        Args:
+            begin, abandon, needless, missed, helping, settled: prices (`engine.episodes.prices`); None: as the domain
+                says, by ``setting(plans, begin, P)`` and so on, or the defaults.
+            verification: False sees action names only and never asks the knowledge base about an observation.
+            most_missed: how many leaves may go unseen before one that is seen.
+            bounds: how much is kept (`engine.episodes.hypotheses.growth`).
+
+        Raises:
+            CasperError: prices or priors that make no sense. PlanError: the domain has no plans.
+        """
+        if not self.library.ways:
+            raise PlanError(f"the domain {self.name} has no plans to explain anything with; add them in plans.pl")
+        given = {"begin": begin, "abandon": abandon, "needless": needless, "missed": missed, "helping": helping}
+        prices = prices_of(self.kb.rows, self._price_place, **given, settled=settled)
+        if type(most_missed) is not int or most_missed < 0:
+            raise DomainError(f"most_missed is a whole number from 0, not {most_missed}")
+        growing = Enumerated(self.library.ways, self._matcher(verification), self.capability, most_missed)
+        return Day(growing, prices, self._priors(), bounds or Bounds())
+
+    @property
+    def prices(self) -> Prices:
+        """What the domain says of the prices of a day, and the defaults elsewhere."""
+        return prices_of(self.kb.rows, self._price_place)
+
+    def _price_place(self, name: str) -> Place | None:
+        found = [clause.place for clause in self.kb.clauses_of(("setting", 3)) if clause.head[1:3] == ("plans", name)]
+        return found[-1] if found else None
 
     @cached_property
     def _lock(self) -> Lock:

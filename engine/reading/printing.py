@@ -42,6 +42,10 @@ class Reads(Protocol):
     def rejected(self) -> Mapping[str, Sequence[str]]:
         """The goals that explain nothing any more, with the reasons."""
 
+    @property
+    def unknown(self) -> Mapping[int, object]:
+        """Observations that no plan has, by number from 0, and why."""
+
     def best(self, count: int, /) -> list[Explanation | Interleaved]:
         """The best few explanations."""
 
@@ -60,6 +64,8 @@ def reading_lines(reading: Reads, top: int = 3, asked: int = 0) -> Iterator[Line
     best = reading.best(max(top, 1))
     yield _heading(reading.observations)
     yield line(f"{_count(reading)}, confidence {best[0].share if best else 0.0:.2f}")
+    for at, foreign in reading.unknown.items():
+        yield line(f"needless: {reading.observations[at]} ({foreign})")
     yield from _goals(reading.posterior, reading.rejected)
     yield line("outcome: ", Span(reading.outcome, "outcome") if reading.outcome else "undecided")
     for explanation in best[:top]:

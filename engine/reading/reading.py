@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from itertools import islice
 from typing import Any
 
@@ -22,8 +23,9 @@ from casper.engine.reading.printing import reading_lines, reading_name
 from casper.engine.reading.questions import Question, questions
 from casper.engine.recognition.choice import recogniser
 from casper.engine.recognition.options import PAPER, Options
-from casper.engine.verification.matching import Matcher, Recipe
+from casper.engine.verification.matching import Matcher, NameMatcher, Recipe
 from casper.engine.verification.observation import Observed, Seen, options_of, seen_of
+from casper.engine.verification.vocabulary import Foreign, Vocabulary
 from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
@@ -78,10 +80,11 @@ class Reading:
         """Take in one action of the partner: ``"eat"`` or ``"eat(biscuits, plate)"``.
 
         What was not made out for sure is a mapping of what it may be to likelihoods: ``{"eat": 0.7, "sip": 0.2}``.
-        An observation that fits no plan leaves zero explanations; `undo` goes back to where the reading was.
+        An observation that fits no plan leaves zero explanations; `undo` goes back to where the reading was. One that
+        no plan has is needless, where needless ones have a price (`unknown`).
 
         Raises:
-            ReadError, PlanError: the text is no action, or no plan has it.
+            ReadError, PlanError: the text is no action, or no plan has it and needless actions have no price.
             CasperError: likelihoods that are none, or more explanations than can be weighed.
         """
         seen = self._seen(observed)
@@ -92,11 +95,19 @@ class Reading:
 
     def _seen(self, observed: Observed) -> Seen:
         if not isinstance(observed, str):
-            return seen_of(observed, self._actions)
+            return self._seen_of(observed)
         seen = self._read.get(observed)
         if seen is None:
-            seen = self._read[observed] = seen_of(observed, self._actions)
+            seen = self._read[observed] = self._seen_of(observed)
         return seen
+
+    def _seen_of(self, observed: Observed) -> Seen:
+        return seen_of(observed, self._actions) if self.options.noise is None else self._vocabulary.read(observed)
+
+    @cached_property
+    def _vocabulary(self) -> Vocabulary:
+        leaves = [leaf for plan in self.library.ways for leaf in plan.leaves]
+        return Vocabulary(dict.fromkeys(leaves), isinstance(self._unused, NameMatcher))
 
     def fork(self) -> Reading:
         """A reading that goes its own way from here: "what if the next is …". What was counted so far is shared."""
@@ -128,6 +139,17 @@ class Reading:
     def observations(self) -> Sequence[Seen]:
         """What was observed, in order."""
         return tuple(self._engine.observations)
+
+    @property
+    def unknown(self) -> dict[int, Foreign]:
+        """By the number of an observation, from 0, that no plan has: why, and the nearest action of the plans.
+
+        Empty where needless actions have no price: such an observation is refused then.
+        """
+        if self.options.noise is None:
+            return {}
+        found = {at: self._vocabulary.foreign(seen) for at, seen in enumerate(self.observations)}
+        return {at: foreign for at, foreign in found.items() if foreign is not None}
 
     # --- what it says ----------------------------------------------------------------------------------------------
 
@@ -249,7 +271,15 @@ class Reading:
             "frontier": [term_text(as_term(action)) for action in (best[0].frontier if best else ())],
             "rejected": [{"goal": goal, "reasons": list(reasons)} for goal, reasons in self.rejected.items()],
             **bound,
+            **self._unknown_json(),
         }
+
+    def _unknown_json(self) -> dict[str, Any]:
+        told = [
+            {"observation": at + 1, "reasons": list(foreign.reasons), "nearest": foreign.nearest}
+            for at, foreign in self.unknown.items()
+        ]
+        return {"unknown": told} if told else {}
 
     def lines(self, top: int = 3, asked: int = 0) -> Iterator[Line]:
         """What a person is shown, with the best ``top`` explanations and as many questions as are ``asked`` for."""

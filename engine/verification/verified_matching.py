@@ -142,6 +142,26 @@ class VerifyingMatcher(ParameterMatcher):
         if self._looks_back:
             self._answers = {}
 
+    @property
+    def looks_back(self) -> bool:
+        """Whether a verdict may depend on what was done earlier (did/2)."""
+        return self.kb.depends_on_history
+
+    @property
+    def changes(self) -> int:
+        """How often the knowledge base has changed."""
+        return self.kb.changes
+
+    def of(self, agent: str | None, past: Sequence[tuple[Compound, float]]) -> VerifyingMatcher:
+        """The matcher for an agent (None: the partner) after this past; what was asked of the partner is shared."""
+        other = object.__new__(VerifyingMatcher)
+        other.__dict__.update(self.__dict__)
+        other._histories = [tuple(past)]
+        if self.looks_back or agent not in (None, self.partner):
+            other._answers = {}
+        other.partner = self.partner if agent is None else agent
+        return other
+
     def fork(self) -> Matcher:
         """One with the same past."""
         other = object.__new__(VerifyingMatcher)

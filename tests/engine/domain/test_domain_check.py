@@ -128,3 +128,9 @@ def test_a_domain_with_errors_cannot_be_loaded_and_one_without_can(tmp_path):
     found(tmp_path, plans=PLANS + "goal(x).\n")
     with pytest.raises(CasperError):
         Domain.load(tmp_path)
+
+
+def test_a_price_that_makes_no_sense_is_an_error_with_its_place(tmp_path):
+    (tmp_path / "plans.pl").write_text("g --> a, b.\nh --> b, a.\nsetting(plans, begin, 2).\n")
+    (finding,) = [f for f in check_domain(tmp_path) if f.severity == "error"]
+    assert finding.place.line == 3 and "a price is a number above 0 and below 1" in finding.message

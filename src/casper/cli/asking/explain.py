@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
+from casper.kb.errors import CasperError
 
 
 def explain(
@@ -24,6 +25,14 @@ def explain(
     picture: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Draw the best explanations of all actions: .svg, .png or .pdf.")
     ] = None,
+    changes: Annotated[
+        float | None,
+        typer.Option(
+            "--changes",
+            metavar="PRICE",
+            help="Goal after goal, several at once, or given up at this price: an explanation is a row of episodes.",
+        ),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Explain observed actions: after each one, the goals, the best explanations, and why the others are out."""
@@ -31,6 +40,17 @@ def explain(
     from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
 
+    if changes is not None:
+        if picture is not None or questions:
+            raise CasperError("--changes explains by rows of episodes: leave --picture and --questions out")
+        day = Domain.load(domain).day(abandon=changes, needless=noise, verification=not no_verification)
+        for action in actions:
+            day.observe(action)
+            if as_json:
+                print_json(day.to_json(top))
+            else:
+                show(console(), day.lines(top))
+        return
     if picture is not None:
         from casper.engine.explanation.pictures import check_picture
 

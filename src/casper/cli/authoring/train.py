@@ -19,10 +19,24 @@ def train(
     trials: Annotated[int, typer.Option(min=2, max=1000, help="Scripted trials to learn from.")] = 10,
     seed: Annotated[int, typer.Option(help="Of the trials and the tree; the same seed gives the same file.")] = 1,
     leaves: Annotated[int, typer.Option(min=2, help="Leaves the tree may have.")] = 5,
-    output: Annotated[Path | None, typer.Option(help="Where to write; movements.pl of the domain.")] = None,
+    plans: Annotated[
+        list[Path] | None,
+        typer.Option(metavar="FILE", help="Learn the prices of plans instead, from a recorded day; may be repeated."),
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option(help="Where to write; movements.pl of the domain, and prices on the screen.")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Learn which movement it is from qualitative relations, judged by leaving one trial out."""
+    """Learn which movement it is from qualitative relations, judged by leaving one trial out.
+
+    With --plans: what it costs to begin, give up, add and skip, from recorded days. A file holds a day, one JSON object
+    a line: {"action": "eat(biscuits, plate)", "t": 3.5, "agent": "human", "goal": "breakfast"}, all but the action as
+    far as it is known; the goal of an action that serves none is null.
+    """
+    if plans:
+        _train_prices(domain, plans, output, as_json)
+        return
     from casper.cli.terminal.extras import needs
     from casper.cli.terminal.output import print_json
     from casper.engine.domain.domain import Domain
@@ -59,6 +73,32 @@ def train(
         )
     else:
         _show(evaluation, len(samples), trials, file)
+
+
+def _train_prices(domain: str, files: list[Path], output: Path | None, as_json: bool) -> None:
+    from dataclasses import asdict
+
+    from casper.cli.terminal.output import console, print_json
+    from casper.cli.terminal.showing import say
+    from casper.engine.domain.domain import Domain
+    from casper.engine.episodes.training import learn, read_day
+
+    loaded = Domain.load(domain)
+    learned = learn(lambda prices: loaded.day(**asdict(prices)), [read_day(file) for file in files], loaded.prices)
+    if output is not None:
+        try:
+            output.write_text(learned.to_text(), encoding="utf-8")
+        except OSError as mistake:
+            raise _unwritten(output, mistake.strerror or str(mistake)) from None
+    if as_json:
+        told = {"days": learned.days, "observations": learned.observations, "episodes": learned.episodes}
+        print_json({**asdict(learned.prices), **told, "file": None if output is None else str(output)})
+        return
+    out = console()
+    say(out, f"% from {learned.observations} observations of {learned.episodes} episodes; for plans.pl")
+    say(out, learned.to_text().rstrip())
+    if output is not None:
+        say(out, f"% written to {output}")
 
 
 def _unwritten(file: Path, reason: str) -> CasperError:

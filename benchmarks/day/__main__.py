@@ -1,0 +1,72 @@
+"""A day in figures: sets of goals, changes of mind, whole days. Times are CPU time.
+
+    python benchmarks/day [--quick]
+
+Prices are the defaults everywhere. Exit code 1 when a bound of the project is not held.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from measuring import Score, changes, kitchen, whole_day
+
+CASES = (("everything seen", 0.0, 0.0, 0.98), ("a tenth needless", 0.1, 0.0, 0.98), ("a fifth unseen", 0.0, 0.2, 0.9))
+held: list[bool] = []
+
+
+def told(what: str, share: float, bound: float | None, note: str = "") -> None:
+    """One line: a share and whether it holds."""
+    verdict = ""
+    if bound is not None:
+        held.append(share >= bound)
+        verdict = f"at least {bound:.0%}: {'held' if held[-1] else 'NOT held'}"
+    print(f"{what:<62} {share:>7.1%}  {verdict:<22} {note}".rstrip(), flush=True)
+
+
+def times(score: Score, median: float, longest: float) -> None:
+    """The median and the longest observation, in milliseconds, and whether they hold."""
+    for what, figure, bound in (("median", score.median(), median), ("longest", max(score.seconds), longest)):
+        held.append(1e3 * figure <= bound)
+        verdict = "held" if held[-1] else "NOT held"
+        print(f"  an observation, {what:<44} {1e3 * figure:>7.2f} ms  bound {bound:g} ms: {verdict}", flush=True)
+
+
+def main() -> int:
+    """Print the figures."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--quick", action="store_true", help="fewer episodes, two minutes")
+    parser.add_argument("--only", choices="abc", help="one part only")
+    given = parser.parse_args()
+    episodes, many, goals = (20, 50, 40) if given.quick else (200, 500, 200)
+    if given.only in (None, "a"):
+        for dishes in (20, 100):
+            for what, needless, unseen, bound in CASES:
+                ours, theirs = kitchen(dishes, episodes, needless, unseen)
+                told(f"(a) 2-5 of {dishes} dishes, {what}: right set", ours.share, bound, f"{ours.of} episodes")
+                times(ours, 5, 100)
+                for name, score in theirs.items():
+                    told(f"  {name}", score.share, None, f"{score.of} episodes")
+    if given.only in (None, "b"):
+        found, filtered, quiet, filtered_quiet = changes(many)
+        told("(b) the new recipe leads within two actions", found.share, 0.95, f"{found.of} episodes")
+        told("  Bayesian filter", filtered.share, None)
+        told("(b) no change announced where there is none", quiet.share, 0.98, f"{quiet.of} episodes")
+        told("  Bayesian filter", filtered_quiet.share, None)
+        times(found, 5, 100)
+    if given.only in (None, "c"):
+        score = whole_day(goals)
+        told(f"(c) a day of {goals} goals: goals right", score.share, 0.95, f"{score.invented} episodes of no goal")
+        times(score, 10, 100)
+        held.append(score.kept[-1] <= 1.5 * max(score.kept[:2]))
+        print(f"  objects kept, by quarter: {score.kept}; {'constant' if held[-1] else 'NOT constant'}")
+    print(f"\n{'every bound held' if all(held) else 'some bound NOT held'}")
+    return int(not all(held))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

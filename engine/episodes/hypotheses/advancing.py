@@ -1,0 +1,163 @@
+"""From one level of a day to the next: expand, drop the lightest, close what is over, and agree on what closed."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Generic, TypeVar
+
+from casper.engine.episodes.growing import Growing
+from casper.engine.episodes.hypotheses.agreeing import contradicts, numbers, settle
+from casper.engine.episodes.hypotheses.expanding import BEGINS, NEEDLESS, Candidate, Expansion, closing_prices
+from casper.engine.episodes.hypotheses.growth import Bounds
+from casper.engine.episodes.hypotheses.hypothesis import Closed, Event, Hypothesis, Instance, Key, Level, Outcome
+from casper.engine.episodes.hypotheses.idling import SOON, Idling
+from casper.engine.episodes.prices import Prices
+from casper.engine.verification.vocabulary import Foreign
+
+S = TypeVar("S")
+
+
+class Advance(Generic[S]):
+    """How a day goes on with an observation, under fixed prices, priors and bounds."""
+
+    def __init__(self, growing: Growing[S], prices: Prices, priors: list[float], bounds: Bounds) -> None:
+        self.growing, self.prices, self.bounds = growing, prices, bounds
+        self.idling = Idling(prices.abandon)
+        self._priors = priors
+
+    def observed(self, level: Level[S], event: Event) -> Level[S]:
+        """The level after an observation that the plans may explain."""
+        expansion = Expansion(self.growing, self.prices, self._priors, self.idling, self.bounds, event)
+        expansion.run(level)
+        candidates = expansion.candidates
+        found = self._lasting(candidates)
+        kept = sum(candidate.weight for candidate in found)
+        dropped = expansion.dropped
+        if len(found) < len(candidates):
+            dropped += max(0.0, sum(candidate.weight for candidate in candidates.values()) - kept)
+        whole = kept + dropped
+        current = {goal: weight / whole for goal, weight in expansion.current.items()}
+        made = [self._made(candidate, event) for candidate in found]
+        return self._level(level, event, made, current, dropped / whole)
+
+    def unknown(self, level: Level[S], event: Event, foreign: Foreign) -> Level[S]:
+        """The level after an action that no plan has: needless by every hypothesis."""
+        made = [_needless(h, h.weight, h.best, event.number) for h in level.hypotheses]
+        return replace(self._level(level, event, made, {}, 0.0), foreign=foreign)
+
+    def over(self, level: Level[S]) -> Level[S]:
+        """The level when nothing more will be observed: everything open is closed."""
+        closed = [self._without(h, range(len(h.instances)), level.number) for h in level.hypotheses]
+        best = max(closed, key=lambda hypothesis: hypothesis.weight)
+        taken = {at for told in level.told for at in numbers(told.link)}
+        settled = tuple(found for found in best.closed if not contradicts(found, taken))
+        told = (*level.told, *settled)
+        return replace(level, hypotheses=(best._replace(weight=1.0, closed=()),), told=told, settled=settled)
+
+    def _level(
+        self,
+        before: Level[S],
+        event: Event,
+        made: Sequence[Hypothesis[S]],
+        current: Mapping[int, float],
+        dropped: float,
+    ) -> Level[S]:
+        lag, counts = self.bounds.lag, {**before.counts, event.agent: event.own_number}
+        closed = self._closed(made, counts, event)
+        total = sum(hypothesis.weight for hypothesis in closed)
+        scaled = [_scaled(hypothesis, 1 / total) for hypothesis in closed]
+        agreed, settled = settle(scaled, event.number, lag, before.told)
+        told = tuple(c for c in (*before.told, *settled) if c.number > event.number - lag)
+        recent = [_recent(hypothesis, event.number - lag) for hypothesis in agreed]
+        seen, agent, t, number, _, _ = event
+        return Level(recent, number, counts, seen, agent, t, current, dropped, told, tuple(settled))
+
+    def _lasting(self, candidates: Mapping[Key[S], Candidate[S]]) -> list[Candidate[S]]:
+        """The candidates that are kept, the heaviest first."""
+        least = self.bounds.floor * max(candidate.weight for candidate in candidates.values())
+        found = [candidate for candidate in candidates.values() if candidate.weight >= least]
+        return heapq.nlargest(self.bounds.keep, found, key=lambda candidate: candidate.weight)
+
+    # --- making and closing ------------------------------------------------------------------------------------------
+
+    def _made(self, candidate: Candidate[S], event: Event) -> Hypothesis[S]:
+        """The hypothesis with the story of its heaviest derivation."""
+        parent, at, instance, finish = candidate.way
+        weight, best = candidate.weight, candidate.best
+        if at == NEEDLESS:
+            return _needless(parent, weight, best, event.number)
+        instances, closed = parent.instances, parent.closed
+        owner = event.agent if at == BEGINS else instances[at].body.owner
+        if at != BEGINS:
+            instances = instances[:at] + instances[at + 1 :]
+        if instance is not None:
+            instances = (*instances, instance)
+        if finish is not None:
+            sure = candidate.share / weight
+            closed = (*closed, Closed(finish.goal, owner, "finished", finish.link, 0, event.number, sure))
+        return Hypothesis(instances, weight, best, closed, parent.needless)
+
+    def _closed(
+        self, hypotheses: Sequence[Hypothesis[S]], counts: Mapping[str | None, int], event: Event
+    ) -> Sequence[Hypothesis[S]]:
+        """Close what was left alone for too long; what is equal then is one. The heaviest come first."""
+        expired = [self._expired(hypothesis.instances, counts, event.agent) for hypothesis in hypotheses]
+        if not any(expired):
+            return hypotheses
+        found: dict[Key[S], Hypothesis[S]] = {}
+        for hypothesis, gone in zip(hypotheses, expired):
+            left = self._without(hypothesis, gone, event.number) if gone else hypothesis
+            known = found.get(left.key)
+            found[left.key] = left if known is None else _joined(known, left)
+        return sorted(found.values(), key=lambda hypothesis: -hypothesis.weight)
+
+    def _expired(
+        self, instances: Sequence[Instance[S]], counts: Mapping[str | None, int], agent: str | None
+    ) -> list[int]:
+        """The numbers of the agent's instances that are closed now."""
+        now = counts.get(agent, 0)
+        own = [(at, instance.body) for at, instance in enumerate(instances) if instance.body.owner == agent]
+        most = len(self.idling.alive(len(own))) if own else 0
+        return [at for at, body in own if now - body.touched >= (min(SOON, most) if body.is_done else most)]
+
+    def _without(self, hypothesis: Hypothesis[S], expired: Sequence[int], number: int) -> Hypothesis[S]:
+        factor, closed = 1.0, list(hypothesis.closed)
+        for at in expired:
+            instance = hypothesis.instances[at]
+            prices = closing_prices(self.growing, self.prices, instance)
+            costs = [entry.share * price for entry, price in zip(instance.body.entries, prices)]
+            factor *= sum(costs)
+            closed.append(self._over(instance, costs, number))
+        kept = tuple(instance for at, instance in enumerate(hypothesis.instances) if at not in expired)
+        return _scaled(hypothesis, factor)._replace(instances=kept, closed=tuple(closed))
+
+    def _over(self, instance: Instance[S], costs: Sequence[float], number: int) -> Closed[S]:
+        """An instance that closed undone: finished unseen, or given up, whichever is cheaper to believe."""
+        at = max(range(len(costs)), key=costs.__getitem__)
+        entry, owner = instance.body.entries[at], instance.body.owner
+        left = self.growing.least_left(entry.state)
+        outcome: Outcome = "finished" if self.prices.missed**left >= self.prices.abandon else "abandoned"
+        goal = sum(cost for other, cost in zip(instance.body.entries, costs) if other.goal == entry.goal)
+        return Closed(entry.goal, owner, outcome, instance.links[at], left, number, goal / sum(costs))
+
+
+def _needless(parent: Hypothesis[S], weight: float, best: float, number: int) -> Hypothesis[S]:
+    return parent._replace(weight=weight, best=best, needless=(*parent.needless, number))
+
+
+def _scaled(hypothesis: Hypothesis[S], factor: float) -> Hypothesis[S]:
+    return hypothesis._replace(weight=hypothesis.weight * factor, best=hypothesis.best * factor)
+
+
+def _joined(one: Hypothesis[S], other: Hypothesis[S]) -> Hypothesis[S]:
+    heavier = one if one.best >= other.best else other
+    return heavier._replace(weight=one.weight + other.weight)
+
+
+def _recent(hypothesis: Hypothesis[S], before: int) -> Hypothesis[S]:
+    """Without what lies too far back."""
+    if hypothesis.needless and hypothesis.needless[0] <= before:
+        return hypothesis._replace(needless=tuple(number for number in hypothesis.needless if number > before))
+    return hypothesis
