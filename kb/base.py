@@ -8,14 +8,14 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
-from itertools import islice
+from itertools import islice, repeat
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from casper.kb.errors import BudgetExceeded, Undefined
+from casper.kb.errors import BudgetExceeded, NotOnColumns, Undefined
 from casper.kb.goals.goals import Predicate
 from casper.kb.program.control import plain_query
 from casper.kb.program.refusals import check_computable, check_defined, undefined_sentence
@@ -36,14 +36,19 @@ from casper.kb.text.reader import read_query
 from casper.kb.text.triples import triples_text
 from casper.kb.top_down.compiled.cells import variant
 from casper.kb.top_down.linking import Code, Links
-from casper.kb.top_down.plan import Plan, plan_of
+from casper.kb.top_down.lookups import join_on_columns
+from casper.kb.top_down.plan import Plan, on_columns, plan_of
 from casper.kb.top_down.solve import DEFAULT_BUDGET
 
 if TYPE_CHECKING:
     from casper.kb.relations.tables.answers import Answers
+    from casper.kb.relations.tables.joins import Join
+    from casper.kb.top_down.answering import Answering
 
 Asked: TypeAlias = tuple[tuple[Variable, ...], tuple[Literal, ...]]  # what is asked for, and the conditions
 Doubted: TypeAlias = tuple[tuple[Variable, ...], Row, str]  # what is asked for, an undefined answer, and the reason
+AT_FIRST = 1_000  # answers that come row by row, at once, before many are joined on columns
+MOST_ANSWERS = 5_000_000  # that are told apart row by row: a GB
 _query_of_text = lru_cache(maxsize=1024)(read_query)
 
 
@@ -167,7 +172,7 @@ class KnowledgeBase(ClauseStore):
         """
         alternatives, inner = self._plain_query(goal)
         answers = self._answers(alternatives, inner, limit, timeout, budget, cancelled, undefined)
-        return ({name: value for name, value in zip(names, row)} for names, row in answers)
+        return (dict(zip(names, row)) for names, row in answers)
 
     @of_one_moment
     def plan(self, goal: str) -> Plan:
@@ -177,9 +182,10 @@ class KnowledgeBase(ClauseStore):
             ReadError, ProgramError: as `query`.
         """
         links, (alternatives, inner) = self._model.links, self._plain_query(goal)
+        columns = on_columns(self._join(alternatives, inner))
         if inner:
             links = Links(links.relations, Code({**links.code.clauses, **inner}), links.computed)
-        return plan_of([links.code.query(body) for _, body in alternatives], links)
+        return plan_of([links.code.query(body) for _, body in alternatives], links, columns)
 
     def _plain_query(self, goal: str) -> tuple[list[Asked], dict[Indicator, tuple[Clause, ...]]]:
         """The alternatives of a query, each with what it asks for, and the clauses of goals inside it."""
@@ -215,27 +221,53 @@ class KnowledgeBase(ClauseStore):
             return
         seen: set[Hashable] = set()
         doubts: dict[Hashable, Doubted] = {}
-        solver = self.solver(budget)
-        solver.deadline = None if timeout is None else time.monotonic() + timeout
-        solver.cancelled = cancelled
-        solver = solver.with_inner(inner)
+        solver = self._solver_until(timeout, budget, cancelled).with_inner(inner)
+        early: list[Row] = []
+        asked: dict[tuple[Variable, ...], int] = {}  # a number is faster than names in a key
         for variables, body in alternatives:
-            names = [variable.name for variable in variables]
+            names, number = [variable.name for variable in variables], asked.setdefault(variables, len(asked))
             for row, doubt in solver.rows(body, variables):
-                key = variables, variant(row)
+                key = number, variant(row)
                 if doubt:
                     doubts.setdefault(key, (variables, row, doubt))
                 elif key not in seen:
                     seen.add(key)
+                    if len(seen) <= AT_FIRST:
+                        early.append(row)
                     if not undefined:
                         yield names, row
                         if len(seen) == limit:  # the next answer may be far away
                             return
+                    if len(seen) == AT_FIRST and not undefined:
+                        given = set(early)
+                        try:
+                            beyond = _beyond(self._join(alternatives, inner), given, solver)
+                            yield from zip(repeat(names), islice(beyond, limit and limit - AT_FIRST))
+                            return
+                        except NotOnColumns:  # so the rest comes row by row
+                            seen.update((number, variant(row)) for row in given)
+                    elif len(seen) > MOST_ANSWERS:
+                        raise BudgetExceeded(f"there are more than {MOST_ANSWERS:,} answers, too many to tell apart")
         left = [doubt for key, doubt in doubts.items() if key not in seen]
         if undefined:
             yield from (([v.name for v in variables], row) for variables, row, _ in islice(left, limit))
         elif left and (limit is None or len(seen) < limit):
             raise Undefined(_undefined_answers(left))
+
+    def _join(self, alternatives: list[Asked], inner: Mapping[Indicator, tuple[Clause, ...]]) -> Join | str | None:
+        """A query that has many answers as a join on columns, or what is in the way of it."""
+        if len(alternatives) != 1 or inner:
+            return None
+        [(variables, body)] = alternatives
+        return join_on_columns(body, variables, self._model.links)
+
+    def _solver_until(
+        self, timeout: float | None, budget: int, cancelled: Callable[[], bool] | None
+    ) -> Answering:
+        solver = self.solver(budget)
+        solver.deadline = None if timeout is None else time.monotonic() + timeout
+        solver.cancelled = cancelled
+        return solver
 
     @of_one_moment
     def instances(self, statement: Statement) -> Iterator[Compound]:
@@ -291,10 +323,11 @@ class KnowledgeBase(ClauseStore):
     ) -> Answers:
         """All answers to a query as columns: ``kb.table("eat(A, T, D)").columns["A"]`` is an array.
 
-        One atom of a stored predicate is read off its rows; those of a large program never become Python tuples. Any
-        other query is answered as by `query`, which also says what the arguments mean and what is raised.
+        One atom of a stored predicate is read off its rows, and many answers over stored rows are joined on columns:
+        none of them becomes a Python tuple. Any other query is answered as by `query`, which also says what the
+        arguments mean and what is raised; besides, `BudgetExceeded` says that there are too many answers for a table.
         """
-        from casper.kb.relations.tables.answers import of_answers, of_stored  # numpy is loaded for those who ask for it
+        from casper.kb.relations.tables.answers import of_answers, of_join, of_stored  # numpy for those who ask for it
 
         answers = self.query(goal, timeout=timeout, budget=budget, cancelled=cancelled)  # checks the goal; lazy
         alternatives = _query_of_text(goal)
@@ -305,6 +338,13 @@ class KnowledgeBase(ClauseStore):
             found = of_stored(literal.atom, relation) if relation is not None and settled else None
             if found is not None:
                 return found
+        join = self._join(*self._plain_query(goal))
+        if join is not None and not isinstance(join, str):
+            look = self._solver_until(timeout, budget, cancelled).meter(join.body)
+            try:
+                return of_join(join, lambda: look(0))
+            except NotOnColumns:
+                pass  # so it is worked out row by row
         variables = dict.fromkeys(v.name for body in alternatives for literal in body for v in literal.variables())
         return of_answers([name for name in variables if not name.startswith("_")], answers)
 
@@ -482,3 +522,17 @@ def _undefined_answers(left: Sequence[Doubted]) -> str:
     shown = ", ".join(f"{v.name} = {term_text(closed(value))}" for v, value in zip(variables, row)) or "the answer"
     more = f" and {len(left) - 1} more" if len(left) > 1 else ""
     return f"{shown}{more} {'are' if more else 'is'} undefined: {reason}"
+
+
+def _beyond(join: Join | str | None, given: set[Row], solver: Answering) -> Iterator[Row]:
+    """The answers to a question that has many, but for those that were given.
+
+    Raises:
+        NotOnColumns: it cannot be worked out on columns; what came is among those given.
+    """
+    if join is None or isinstance(join, str):
+        raise NotOnColumns(join or "there are few answers")
+    from casper.kb.relations.tables.joins import rows_beyond  # numpy is loaded when there are many
+
+    look = solver.meter(join.body)
+    return rows_beyond(join, given, lambda: look(0))

@@ -83,6 +83,10 @@ class Answering(PlainSolver):
             doubt = str(solution[DOUBT]) or "it is undefined" if DOUBT in solution else ""
             yield tuple([substitute(name, solution) for name in names]), doubt
 
+    def meter(self, body: Sequence[Literal]) -> Callable[[int], int]:
+        """What stops whoever works out a question elsewhere, when its time is up or it is cancelled."""
+        return self._search().meter(body)
+
     def answers(self, literal: Literal, bindings: Bindings, depth: int = 0) -> Iterator[Bindings]:
         """Every extension of the bindings under which one condition holds, the doubtful among them."""
         return self.possible([literal], bindings)

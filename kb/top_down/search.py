@@ -102,12 +102,12 @@ class Search:
         links = Links(self.relations, self._compiled, self.computed)
         plain = None if given else lookups_of(body, names, links)
         if plain is not None:
-            yield from ((row, True) for row in answers(plain, len(names), self._meter(body)))
+            yield from ((row, True) for row in answers(plain, len(names), self.meter(body)))
             return
         slots: Slots = {variable: at for at, variable in enumerate(names, 1)}
         cells: dict[Variable, Cell] = {}
         frame: Frame = [0, *(inward(substitute(name, given), cells) for name in names)]
-        machine = Machine(links, self._meter(body), self.floundering_fails, self.settled)
+        machine = Machine(links, self.meter(body), self.floundering_fails, self.settled)
         stop = Node(STOP, ("", 0), _nothing, None, ROOT)
         chain = linked([*(node_of(literal, slots, given) for literal in body), stop])
         own = {id(cell): variable for variable, cell in cells.items()}
@@ -140,7 +140,7 @@ class Search:
             self.code = Code(self.clauses)
         return self.code
 
-    def _meter(self, body: Sequence[Literal]) -> Callable[[int], int]:
+    def meter(self, body: Sequence[Literal]) -> Callable[[int], int]:
         """What looks at steps, clock and memory now and then."""
         held, weighed = sys.getallocatedblocks(), self.steps
 
