@@ -2,7 +2,8 @@
 
 That is `:- table path(_, _, min).` as in SWI-Prolog. It means something only where better premises never make worse
 rows; so the rows that are left are derived once more from one another alone, which gives them their rounds. Where one
-of them has lost what it rests on, or where something cannot be evaluated, all of the stratum is undefined.
+of them has lost what it rests on, or where something cannot be evaluated, all of the stratum is undefined. A large one
+is worked out on columns (`least_columns`), where its rules allow.
 """
 
 from __future__ import annotations
@@ -13,13 +14,16 @@ from casper.kb.bottom_up.join import Join
 from casper.kb.bottom_up.size import Room
 from casper.kb.bottom_up.steps import Emit
 from casper.kb.bottom_up.stratum import Stratum
-from casper.kb.errors import BudgetExceeded
+from casper.kb.errors import BudgetExceeded, NotOnColumns
 from casper.kb.program.declarations import Moded
 from casper.kb.program.program import Program
+from casper.kb.program.strata import needs
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.relations.undefined import UndefinedRows, are_settled
 from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.terms.unknown import UNKNOWN
+
+COLUMNS_FROM = 2_000  # rows below the stratum from which it is worked out on columns, where that can be
 
 
 def least_rows(
@@ -30,10 +34,17 @@ def least_rows(
     Raises:
         BudgetExceeded: it improves without end.
     """
+    needed = set(needs(rule for i in stratum for rule in program.rules[i])) - stratum
+    if sum(len(relations[i]) for i in needed) >= COLUMNS_FROM and are_settled(relations, needed):
+        from casper.kb.bottom_up.circles.least_columns import least_on_columns  # numpy for large programs only
+
+        try:
+            return least_on_columns(program, stratum, relations, room, round_)
+        except NotOnColumns:
+            pass
     search = _Search(program, stratum, relations, room)
     search.run(0)
     final = {i: Relation(*i, search.best[i].values()) for i in stratum}
-    needed = {x.needed for rule in search.rules for x in rule.body if x.needed is not None and x.needed not in stratum}
     for indicator in stratum:
         relations[indicator] = Relation(*indicator, (r for r in program.given[indicator] if r in final[indicator]))
     last = Within(program, stratum, relations, Room(room.most_rows, relations), final).run(round_)

@@ -6,7 +6,7 @@ for each condition is in memory. What columns cannot do is refused with `NotOnCo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -40,13 +40,15 @@ class Join:
     is_distinct: bool
 
 
-def join_of(body: Sequence[Literal], names: Sequence[Variable], find: Find) -> Join:
-    """Check that a question can be worked out on columns.
+def join_of(
+    body: Sequence[Literal], names: Sequence[Variable], find: Find, given: Iterable[Variable] = ()
+) -> Join:
+    """Check that a question can be worked out on columns, once the ``given`` variables have values.
 
     Raises:
         NotOnColumns: with what is in the way.
     """
-    known: set[Variable] = set()
+    known = set(given)
     relations: dict[Indicator, Relation] = {}
     for literal in body:
         if literal.is_comparison:
@@ -55,8 +57,8 @@ def join_of(body: Sequence[Literal], names: Sequence[Variable], find: Find) -> J
         else:
             relations[literal.atom.indicator] = _relation(literal, known, find)
             known |= literal.binds()
-    if not names or not known.issuperset(names):
-        raise NotOnColumns("it asks for nothing, or for what nothing binds")
+    if not known.issuperset(names):
+        raise NotOnColumns("it asks for what nothing binds")
     looked_up = (x for x in body if not x.is_strict and not x.is_comparison)
     inner = {v for x in looked_up for v in x.variables()} - set(names)
     return Join(tuple(body), tuple(names), relations, not inner)
@@ -83,13 +85,15 @@ class Solutions:
         NotOnColumns: while they are made or iterated over.
     """
 
-    def __init__(self, join: Join) -> None:
+    def __init__(
+        self, join: Join, by_id: Mapping[int, Coded] | None = None, constants: Constants | None = None
+    ) -> None:
         self.join = join
-        by_id = coded(join.relations.values())
+        if by_id is None or constants is None:
+            by_id = coded(join.relations.values())
+            constants = next(iter(by_id.values())).constants
         self.columns: dict[Indicator, Coded] = {i: by_id[id(relation)] for i, relation in join.relations.items()}
-        if not by_id:
-            raise NotOnColumns("nothing is looked up")
-        self.constants: Constants = next(iter(by_id.values())).constants
+        self.constants = constants
         for literal in join.body:  # numbers first: the radix of rows depends on how many there are
             for arg in literal.atom.args:
                 if not isinstance(arg, Variable) and is_ground(arg):
@@ -98,9 +102,13 @@ class Solutions:
     def __iter__(self) -> Iterator[list[Column]]:
         """The wanted columns, block by block; each solution once over all of them."""
         seen = None if self.join.is_distinct else self._seen()
-        for frame in self._from(0, {}, 1):
+        for frame in self.extending({}, 1):
             columns = [frame[name] for name in self.join.names]
             yield columns if seen is None else list(seen.add([_plain(column) for column in columns], 0))
+
+    def extending(self, frame: Frame, size: int) -> Iterator[Frame]:
+        """Every solution that extends one of some partial solutions, in blocks, whether distinct or not."""
+        return self._from(0, frame, size)
 
     def _seen(self) -> Table:
         arity, base = len(self.join.names), len(self.constants.interner)

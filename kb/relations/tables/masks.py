@@ -133,7 +133,12 @@ def codes(column: Column, constants: Constants) -> Ids:
     return np.array(numbers, np.int64)[places.reshape(-1)] if numbers else np.empty(0, np.int64)
 
 
-def _numbers(column: Column, constants: Constants) -> Numbers:
+def numbers(column: Column, constants: Constants) -> Numbers:
+    """A column as numbers.
+
+    Raises:
+        NotOnColumns: some are none, or of too many digits.
+    """
     found = column.array if isinstance(column, Values) else constants.numbers(column)
     if found is None or (found.dtype == np.int64 and len(found) and _most(found) > EXACT):
         raise NotOnColumns("not all values are numbers below 2**53")
@@ -143,7 +148,7 @@ def _numbers(column: Column, constants: Constants) -> Numbers:
 def _value(term: Term, frame: Mapping[Variable, Column], constants: Constants) -> Any:
     """The value of an expression: an array, or a scalar of numpy."""
     if isinstance(term, Variable):
-        return _numbers(frame[term], constants)
+        return numbers(frame[term], constants)
     if not isinstance(term, Compound):
         return np.int64(term) if isinstance(term, int) else np.float64(term)
     values = [_value(arg, frame, constants) for arg in term.args]
