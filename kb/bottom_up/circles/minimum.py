@@ -117,12 +117,15 @@ class _Search(Stratum):
     def _keeper(self, indicator: Indicator) -> Emit:
         at, is_better = self.modes[indicator].at, self.modes[indicator].is_better
         best, better = self.best[indicator], self.better.setdefault(indicator, {})
+        most = self.room.left + len(best)
 
         def emit(row: Row) -> None:
             key = row[:at] + row[at + 1 :]
             old = better.get(key) or best.get(key)
             if old is None or is_better(row[at], old[at]):
                 better[key] = row
+                if len(better) > most:  # within a round, too
+                    self.room.take(len(better))
 
         return emit
 

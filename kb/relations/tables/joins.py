@@ -14,7 +14,7 @@ import numpy as np
 
 from casper.kb.errors import NotOnColumns
 from casper.kb.relations.coded import Coded, coded, number_of
-from casper.kb.relations.columns import MOST_CODES, Ids, Table
+from casper.kb.relations.columns import MOST_CODES, Ids, Table, matches
 from casper.kb.relations.constants import Constants
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.relations.tables.masks import Column, Frame, Mask, Values, check_condition, codes, compared
@@ -151,16 +151,7 @@ class Solutions:
 
     def _matches(self, literal: Literal, frame: Frame, size: int) -> Iterator[tuple[Frame, int]]:
         """The partial solutions with each of their rows, in blocks."""
-        low, counts, order = self._spans(literal, frame, size)
-        ends = np.cumsum(counts)
-        for begin in range(0, int(ends[-1]), BLOCK):
-            end = min(begin + BLOCK, int(ends[-1]))
-            first, last = np.searchsorted(ends, [begin, end - 1], "right").tolist()
-            here = slice(first, last + 1)
-            starts = ends[here] - counts[here]  # of each solution's rows among all
-            taken = np.minimum(ends[here], end) - np.maximum(starts, begin)
-            which = np.repeat(np.arange(first, last + 1), taken)
-            rows = order[np.repeat(low[here] - starts, taken) + np.arange(begin, end)]
+        for which, rows in matches(*self._spans(literal, frame, size), BLOCK):
             yield self._bound(literal, {v: _at(column, which) for v, column in frame.items()}, rows)
 
     def _bound(self, literal: Literal, frame: Frame, rows: Ids) -> tuple[Frame, int]:
