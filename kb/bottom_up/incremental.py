@@ -4,9 +4,9 @@ For each stratum, lowest first: everything that some derivation rests on a row t
 that came) is over-deleted; what another rule still gives is put back; then what the new rows give is added. A row that
 is put back or added gets a new, later round, so proofs stay well-founded.
 
-When more rows are over-deleted than recomputing would cost, `TooMuch` asks for that instead. A stratum in which
-negation runs in a circle, that counts, or that has to do with undefined rows, is always worked out anew when something
-it needs has changed.
+When more rows are over-deleted than recomputing would cost, `TooMuch` asks for that instead. A rule that counts is
+followed group by group. A stratum in which negation runs in a circle, that keeps a minimum, or that has to do with
+undefined rows, is always worked out anew when something it needs has changed.
 """
 
 from __future__ import annotations
@@ -24,8 +24,9 @@ from casper.kb.bottom_up.size import MOST_ROWS, Room
 from casper.kb.program.program import Program
 from casper.kb.program.strata import needs
 from casper.kb.relations.relation import Columns, Relation, Row
-from casper.kb.terms.clauses import Clause, Indicator
-from casper.kb.terms.unification import Bindings
+from casper.kb.terms.clauses import Clause, Indicator, Literal
+from casper.kb.terms.terms import Compound, Variable
+from casper.kb.terms.unification import Bindings, substitute, variables_of
 
 Change: TypeAlias = dict[Indicator, dict[Row, None]]
 Given: TypeAlias = Mapping[Indicator, Mapping[Row, object]]  # base facts
@@ -38,7 +39,11 @@ class TooMuch(Exception):
 
 @dataclass
 class _Plan:
-    """A rule for a change of one of its conditions: to find what it gives, and what it may have given."""
+    """A rule for a change of one of its conditions: to find what it gives, and what it may have given.
+
+    A row that comes or goes of what an aggregate counts changes its group: all that the group gives now is found, and
+    all that it may have given is what stands there, whatever the result was.
+    """
 
     rule: Clause
     at: int
@@ -51,12 +56,48 @@ class _Plan:
     @cached_property
     def gives(self) -> Join:
         """The rule compiled for rows that came."""
+        if self.rule.body[self.at].is_aggregate:
+            return Join(replace(self.rule, body=(self._seed, *self.rule.body)), 0)
         return Join(self.rule, self.at)
 
+    def gave(self, view: Mapping[Indicator, Relation], rows: Iterable[Row], found: dict[Row, None]) -> None:
+        """Add a superset of what the rule gave by way of rows that changed."""
+        if not any(x.is_aggregate for x in self.rule.body):
+            self._gave.run(view, rows, found.setdefault)
+            return
+        keys: dict[Row, None] = {}
+        self._groups.run(view, rows, keys.setdefault)
+        for key in keys:
+            found.update(dict.fromkeys(view[self.head].matching(self._columns, key)))
+
     @cached_property
-    def gave(self) -> Join:
-        """The rule compiled for rows that went: a superset of what it gave."""
+    def _gave(self) -> Join:
         return Join(self.rule, self.at, negations=False)
+
+    @cached_property
+    def _seed(self) -> Literal:
+        """The condition as a look-up of the row that changed, with wildcards of its own."""
+        literal = self.rule.body[self.at]
+        atom: Compound = literal.atom[2] if literal.is_aggregate else literal.atom
+        fresh: Bindings = {v: Variable(f"{v.name}again") for v in variables_of(atom) if v.is_anonymous}
+        return Literal(substitute(atom, fresh))
+
+    @cached_property
+    def _looked_up(self) -> tuple[Literal, ...]:
+        others = (x for at, x in enumerate(self.rule.body) if at != self.at)
+        return (self._seed, *(x for x in others if not x.is_strict and not x.is_comparison))
+
+    @cached_property
+    def _columns(self) -> tuple[int, ...]:
+        """The columns of the head that are known without any aggregate."""
+        known = {v for x in self._looked_up for v in x.variables()}
+        return tuple(c for c, arg in enumerate(self.rule.head.args) if known.issuperset(variables_of(arg)))
+
+    @cached_property
+    def _groups(self) -> Join:
+        """What is known of the rows that the changed row has to do with."""
+        key = Compound((self.rule.head[0], *(self.rule.head.args[c] for c in self._columns)))
+        return Join(Clause(key, self._looked_up), 0)
 
 
 @dataclass
@@ -73,7 +114,10 @@ class Maintenance:
         stored = {indicator for stratum in self.program.strata for indicator in stratum}
         for rule in (rule for indicator in stored for rule in self.program.rules[indicator]):
             for at, literal in enumerate(rule.body):
-                if not literal.is_comparison and not literal.is_aggregate:
+                if literal.is_aggregate and literal.needed is not None:
+                    for changed in (False, True):  # whether a row comes or goes
+                        self._plans[literal.needed, changed].append(_Plan(rule, at))
+                elif not literal.is_comparison:
                     self._plans[literal.atom.indicator, literal.negated].append(_Plan(rule, at))
 
     def update(
@@ -127,8 +171,6 @@ class Maintenance:
     ) -> bool:
         """Whether undefined rows play a part in a stratum, or may come to."""
         needed = self._needs(stratum)
-        if any(x.is_aggregate for i in stratum for rule in self.program.rules[i] for x in rule.body):
-            return True
         if not (stratum.isdisjoint({*self.program.circular, *self.program.least}) and needed.isdisjoint(blurred)):
             return True
         return any(relations[i].undefined is not None for i in (*stratum, *needed) if i in relations)
@@ -207,7 +249,7 @@ class Maintenance:
             return
         for plan in self._plans.get((indicator, negated), ()):
             if plan.head in stratum:
-                plan.gave.run(view, rows, found[plan.head].setdefault)
+                plan.gave(view, rows, found[plan.head])
 
     def _rederive(
         self,
@@ -289,7 +331,14 @@ def _noting(rule: Clause, failures: list[Failure]) -> Callable[[Bindings], None]
 
 
 def _derives(check: Join, relations: Mapping[Indicator, Relation], row: Row, failures: list[Failure]) -> bool:
-    return check.derives(relations, row, _noting(check.clause, failures))
+    """Whether a rule gives a row; where an evaluation fails, the row's value for its result was never worked out."""
+    computed = {v for x in check.clause.body if x.is_aggregate for v in variables_of(x.atom[3])}
+    computed |= {v for x in check.clause.body if x.is_comparison for v in variables_of(x.atom[1])}
+
+    def failed(known: Bindings) -> None:
+        failures.append((check.clause, {v: value for v, value in known.items() if v not in computed}))
+
+    return check.derives(relations, row, failed)
 
 
 class _Before(dict[Indicator, Relation]):
