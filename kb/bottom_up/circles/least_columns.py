@@ -31,6 +31,8 @@ from casper.kb.terms.terms import Variable
 from casper.kb.terms.unification import variables_of
 
 MOST_KEYS = 1 << 26  # for which there may be an entry each
+FEW = 256  # rows, on average, that have to be followed at once for columns to be worth it
+WARMING_UP = 100  # steps before that is looked at
 AT_ONCE = 1 << 14  # keys from which only the best eighth of those that got better is followed
 Heights: TypeAlias = NDArray[np.float64]
 Found: TypeAlias = tuple[Indicator, Ids, Heights]  # rows: keys, and values in the order of "better is less"
@@ -108,7 +110,8 @@ class _Search:
         """Improve until nothing gets better."""
         self._offer(found for i in self.modes for found in self._stated(i))
         self._offer(found for rule in self.rules if rule.seed is None for found in self._derived(rule, {}, 1))
-        known, steps = 0, 0
+        known, steps, followed = 0, 0, 0
+        few = FEW + sum(map(len, self.best.values())) // 4096  # rows that cost less than a look at all keys
         while any(better.any() for better in self.better.values()):
             size = sum(int(np.isfinite(best).sum()) for best in self.best.values())
             self.room.take(size - known)
@@ -119,6 +122,9 @@ class _Search:
             picked = {i: self._picked(i, steps > 8 * (size + 64)) for i in self.modes}
             for indicator, keys in picked.items():
                 self.better[indicator][keys] = False
+                followed += len(keys)
+            if steps > WARMING_UP and followed < steps * few:
+                raise NotOnColumns("rows get better a few at a time")
             self._offer(found for i, keys in picked.items() for found in self._followed(i, keys))
 
     def _picked(self, indicator: Indicator, is_late: bool) -> Ids:
