@@ -28,6 +28,8 @@ def materialise(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator,
         BudgetExceeded: more than ``most_rows`` rows were derived.
     """
     stored = [indicator for stratum in program.strata for indicator in stratum]
+    if not any(program.rules[i] for i in stored):  # nothing follows: a join makes columns when one is asked for
+        return row_fixpoint(program, most_rows)
     columns_from = COLUMNS_FROM * max(1, sum(len(program.rules[i]) for i in stored) // MANY_RULES)
     if sum(len(program.given[i]) for i in stored) < columns_from:
         try:

@@ -27,7 +27,7 @@ from casper.kb.terms.unification import Bindings, substitute
 from casper.kb.terms.unknown import DOUBT
 from casper.kb.terms.values.arithmetic import EvaluationFailed
 from casper.kb.top_down.compiled.code import NotCarried
-from casper.kb.top_down.linking import Code
+from casper.kb.top_down.linking import Code, Links
 from casper.kb.top_down.lookups import Lookups, Planned, shape_of
 from casper.kb.top_down.plain import PlainSolver
 from casper.kb.top_down.search import Search, names_of
@@ -133,6 +133,15 @@ class Answering(PlainSolver):
             yield from planned.answers(constants, search.meter(body))
         finally:
             self.steps = search.steps
+
+    @property
+    def links(self) -> Links:
+        """How every predicate is answered here."""
+        return Links(self.relations, Code(self.clauses) if self.code is None else self.code, self.computed)
+
+    def meter(self, body: Sequence[Literal]) -> Callable[[int], int]:
+        """What stops whoever works out a question elsewhere, when its time is up or it is cancelled."""
+        return self._search().meter(body)
 
     def answers(self, literal: Literal, bindings: Bindings, depth: int = 0) -> Iterator[Bindings]:
         """Every extension of the bindings under which one condition holds, the doubtful among them."""

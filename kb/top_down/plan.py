@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from casper.kb.terms.clauses import Indicator, Literal
 from casper.kb.terms.terms import Variable
@@ -13,6 +13,9 @@ from casper.kb.text.writer import literal_text
 from casper.kb.top_down.compiled.code import NotCarried, Procedure
 from casper.kb.top_down.linking import ASKED, BUILT_IN, CONTROLLED, STORED, TABLED, Code, Link, Links
 from casper.kb.top_down.planning import binds, is_bound
+
+if TYPE_CHECKING:
+    from casper.kb.relations.tables.joins import Join
 
 Asked: TypeAlias = tuple[Indicator, tuple[bool, ...]]  # a predicate, and which of its arguments are known
 
@@ -39,18 +42,29 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """The steps of every alternative, in the order in which they are taken; ``str()`` is one a line."""
+    """The steps of every alternative, in the order in which they are taken; ``str()`` is one a line.
+
+    ``columns`` says of a question with many answers whether they are joined on numpy columns, or what is in the way.
+    """
 
     steps: tuple[Step, ...]
+    columns: str = ""
 
     def __str__(self) -> str:
-        return "\n".join(map(str, self.steps))
+        return "\n".join([*map(str, self.steps), *filter(None, [self.columns])])
 
 
-def plan_of(bodies: Iterable[Sequence[Literal]], links: Links) -> Plan:
+def on_columns(join: Join | str | None) -> str:
+    """How a question is joined on columns, or what is in the way; nothing of one that has few answers."""
+    if join is None or isinstance(join, str):
+        return f"row by row, not on columns: {join}" if join else ""
+    return f"many answers, so on columns: {', '.join(map(literal_text, join.body))}"
+
+
+def plan_of(bodies: Iterable[Sequence[Literal]], links: Links, columns: str = "") -> Plan:
     """The plan of a question's alternatives."""
     told: set[Asked] = set()
-    return Plan(tuple(step for body in bodies for step in _body(body, set(), links, 0, told)))
+    return Plan(tuple(step for body in bodies for step in _body(body, set(), links, 0, told)), columns)
 
 
 def _body(
