@@ -35,7 +35,7 @@ from casper.kb.terms.unknown import DOUBT, closed
 from casper.kb.text.reader import read_query
 from casper.kb.text.triples import triples_text
 from casper.kb.top_down.compiled.cells import variant
-from casper.kb.top_down.linking import Code, Links
+from casper.kb.top_down.linking import Links
 from casper.kb.top_down.plan import Plan, plan_of
 from casper.kb.top_down.solve import DEFAULT_BUDGET
 
@@ -178,7 +178,7 @@ class KnowledgeBase(ClauseStore):
         """
         links, (alternatives, inner) = self._model.links, self._plain_query(goal)
         if inner:
-            links = Links(links.relations, Code({**links.code.clauses, **inner}), links.computed)
+            links = Links(links.relations, links.code.extended(inner), links.computed)
         return plan_of([links.code.query(body) for _, body in alternatives], links)
 
     def _plain_query(self, goal: str) -> tuple[list[Asked], dict[Indicator, tuple[Clause, ...]]]:

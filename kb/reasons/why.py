@@ -137,7 +137,7 @@ def _earlier_body(atom: Compound, clause: Clause, known: _Known, everywhere: boo
             if is_earlier:
                 relations[literal.needed] = _Earlier(relation, round_)  # type: ignore[assignment]
     solver = known.solver
-    search = solver.plain().over(relations)  # its premises are rows, too
+    search = solver.over(relations)  # its premises are rows, too
     for body in _instances(atom, clause, search):
         if all(next(solver.solve([x]), None) is not None for x in body if x.is_strict):  # in all rows, not the earlier
             return body

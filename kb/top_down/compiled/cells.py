@@ -12,13 +12,14 @@ from collections.abc import Hashable, Iterable
 from itertools import count
 from typing import Any, TypeAlias
 
-from casper.kb.terms.terms import Compound, Term, Variable
+from casper.kb.terms.terms import Compound, Rigid, Term, Variable
 
 Cell: TypeAlias = list[Any]
 UNBOUND: Any = type("Unbound", (), {"__slots__": (), "__repr__": lambda _: "unbound"})()
 NO_TERM: Any = type("NoTerm", (), {"__slots__": (), "__eq__": lambda a, b: False, "__hash__": lambda _: 0})()
 serials = count(1)  # shared by all searches: one may hand its variables to another, through valid/1
 _STRUCTURE, _HOLE = object(), object()
+_NOT_GROUND = frozenset((Variable, Rigid, tuple))  # types of what is not ground in a term that is frozen
 
 
 class Trail(list[Cell]):
@@ -125,7 +126,7 @@ def freeze(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]] =
             term = Compound(parts)
             continue
         for part in parts:
-            if type(part) is Variable or type(part) is tuple:
+            if type(part) in _NOT_GROUND:
                 term = tuple(parts)
                 break
         else:
@@ -135,7 +136,29 @@ def freeze(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]] =
 
 def frozen_is_ground(term: Term) -> bool:
     """Whether a term that `freeze` gave has no variable."""
-    return type(term) is not Variable and type(term) is not tuple
+    return type(term) not in _NOT_GROUND
+
+
+def has_rigid(term: Term) -> bool:
+    """Whether a term that `freeze` gave has a rigid variable."""
+    waiting = [term]
+    while waiting:
+        term = waiting.pop()
+        if type(term) is Rigid:
+            return True
+        if type(term) is tuple:
+            waiting.extend(term)
+    return False
+
+
+def rigid(term: Term) -> Term:
+    """A term of the rest of the system as the machine takes it, all its variables rigid."""
+    if isinstance(term, Variable):
+        return Rigid(term.name, term.serial)
+    if not isinstance(term, tuple):
+        return term
+    parts = [rigid(part) for part in term]
+    return tuple(parts) if any(type(part) in _NOT_GROUND for part in parts) else Compound(parts)
 
 
 def thaw(term: Term, cells: dict[Variable, Cell], stamp: int = 0) -> Any:
