@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from casper.kb.program.strata import needs
-from casper.kb.terms.builtins import BUILTINS
+from casper.kb.terms.builtins import BUILTINS, KINDS
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import is_ground
@@ -13,6 +13,7 @@ from casper.kb.terms.unification import is_ground
 Table = Mapping[Indicator, Sequence[Clause]]
 _CHOOSING = frozenset(  # built-ins that give nothing but what they are given
     {("member", 2), ("memberchk", 2), ("last", 2), ("nth0", 3), ("nth1", 3), ("true", 0), ("fail", 0), ("false", 0)}
+    | {(kind, 1) for kind in KINDS}
 )
 
 
@@ -73,7 +74,7 @@ def groups(clauses: Table) -> Iterator[frozenset[Indicator]]:
 
 def _enter(
     indicator: Indicator,
-    needs: Mapping[Indicator, list[Indicator]],
+    needed_by: Mapping[Indicator, list[Indicator]],
     number: dict[Indicator, int],
     low: dict[Indicator, int],
     open_: dict[Indicator, None],
@@ -81,7 +82,7 @@ def _enter(
 ) -> None:
     number[indicator] = low[indicator] = len(number)
     open_[indicator] = None
-    path.append((indicator, iter(needs[indicator])))
+    path.append((indicator, iter(needed_by[indicator])))
 
 
 def _closed(indicator: Indicator, open_: dict[Indicator, None]) -> Iterator[Indicator]:

@@ -119,6 +119,9 @@ class Search:
                 yield values, reason
         except RecursionError:
             raise BudgetExceeded("the search met a term that is nested too deeply: the answer is unknown") from None
+        except MemoryError:
+            machine.engines.clear()
+            raise self._stopped(body, "all the memory there is") from None
 
     def answers(self, literal: Literal, bindings: Bindings, depth: int = 0) -> Iterator[Bindings]:
         """Every extension of the bindings under which one condition holds; raises as `solve` does."""

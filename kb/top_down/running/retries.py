@@ -40,9 +40,9 @@ def _next_values(work: Workspace, choice: Choice, strand: Strand) -> State | Non
     trail, top = strand.trail, choice.serial
     for arg, value in zip(choice.args, values):
         if value is not None and not unify(arg, inward(value, cells, work.serial), trail, top):
-            work.toil += len(cells) // 8
+            work.toil += len(cells) // 2
             return _FAIL, [], choice.cont, ""
-    work.toil += len(cells) // 8  # values with many open parts are work, too
+    work.toil += len(cells) // 2  # values with many open parts are work, too
     return None, [], choice.cont, choice.doubt or doubt
 
 
