@@ -18,7 +18,8 @@ Cell: TypeAlias = list[Any]
 UNBOUND: Any = type("Unbound", (), {"__slots__": (), "__repr__": lambda _: "unbound"})()
 NO_TERM: Any = type("NoTerm", (), {"__slots__": (), "__eq__": lambda a, b: False, "__hash__": lambda _: 0})()
 serials = count(1)  # shared by all searches: one may hand its variables to another, through valid/1
-_STRUCTURE, _HOLE = object(), object()
+_STRUCTURE, _ITEM, _HOLE = object(), object(), object()
+_CONSTANTS = frozenset((str, int, float))
 _NOT_GROUND = frozenset((Variable, Rigid, tuple))  # types of what is not ground in a term that is frozen
 
 
@@ -113,8 +114,12 @@ def freeze(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]] =
     spine: list[list[Any]] = []  # the last argument is followed in a loop: a list is as deep as it is long
     term = deref(term)
     while type(term) is tuple:
-        spine.append([freeze(p, holes, kind) if type(p) is list or type(p) is tuple else p for p in term[:-1]])
-        term = deref(term[-1])
+        parts = list(term)
+        term = deref(parts.pop())
+        for at, part in enumerate(parts):
+            if type(part) is list or type(part) is tuple:
+                parts[at] = freeze(part, holes, kind)
+        spine.append(parts)
     if type(term) is list:
         found = holes.get(id(term))
         if found is None:
@@ -215,8 +220,14 @@ def variant(terms: Iterable[Term]) -> Hashable:
     while waiting:
         term = waiting.pop()
         if isinstance(term, tuple):
-            key += (_STRUCTURE, len(term))
-            waiting.extend(reversed(term))
+            while isinstance(term, tuple) and len(term) == 3 and term[0] == "." and type(term[1]) in _CONSTANTS:
+                key += (_ITEM, term[1])  # a list of constants, without a way over the stack
+                term = term[2]
+            if isinstance(term, tuple):
+                key += (_STRUCTURE, len(term))
+                waiting.extend(reversed(term))
+            else:
+                waiting.append(term)
         elif type(term) is Variable:
             key += (_HOLE, numbers.setdefault(term, len(numbers)))
         else:
