@@ -23,7 +23,7 @@ from casper.kb.text.reader import read_query
 from casper.kb.top_down.answering import Answering
 from casper.kb.top_down.compiled.cells import variant
 from casper.kb.top_down.joining import join_on_columns
-from casper.kb.top_down.linking import Code, Links
+from casper.kb.top_down.linking import Links
 from casper.kb.top_down.plan import Plan, on_columns, plan_of
 
 if TYPE_CHECKING:
@@ -83,7 +83,7 @@ def plan_of_query(query: Query, links: Links) -> Plan:
     """How a query would be answered."""
     columns = on_columns(join_of_query(query, links))
     if query.inner:
-        links = Links(links.relations, Code({**links.code.clauses, **query.inner}), links.computed)
+        links = Links(links.relations, links.code.extended(query.inner), links.computed)
     return plan_of([links.code.query(body) for _, body in query.alternatives], links, columns)
 
 

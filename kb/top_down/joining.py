@@ -14,7 +14,6 @@ from casper.kb.relations.relation import Relation
 from casper.kb.terms.clauses import Indicator, Literal
 from casper.kb.terms.terms import Variable
 from casper.kb.terms.unification import is_ground
-from casper.kb.top_down.compiled.code import NotCarried
 from casper.kb.top_down.linking import STORED, Links
 from casper.kb.top_down.planning import estimate, ordered
 
@@ -31,7 +30,7 @@ def join_on_columns(body: Sequence[Literal], names: Sequence[Variable], links: L
     def find(indicator: Indicator) -> Relation | None:
         try:
             link = links[indicator]
-        except (NotCarried, ProgramError):
+        except ProgramError:
             return None
         return link.what if link.how == STORED else None
 
