@@ -69,3 +69,7 @@ class BudgetExceeded(CasperError):
 
 class Undefined(CasperError):
     """A statement that is neither true nor false: negation runs in a circle, or an evaluation failed."""
+
+
+class NotOnColumns(CasperError):
+    """Something cannot be worked out on numpy columns, and has to be on rows; the sentence says what is in the way."""

@@ -6,7 +6,7 @@ compound terms, arithmetic or order comparisons is left to `kb.bottom_up.materia
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
@@ -14,10 +14,11 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from casper.kb.relations.columns import MOST_CODES, Ids, Interner, Table, code
+from casper.kb.relations.columns import MOST_CODES, Ids, Interner, Table, code, decode
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Variable
 
+BLOCK = 1 << 21  # solutions that are in memory at once: what a round may hold besides the rows
 Frame: TypeAlias = dict[Variable, Ids]  # the values of each variable in all partial solutions, in parallel
 
 
@@ -64,7 +65,7 @@ class ColumnStratum:
     Args:
         tables: every predicate's table; those of the stratum grow.
         rules: the stratum's rules.
-        check: called after each round with the number of new rows; raises when there are too many.
+        check: called with a number of new rows (and perhaps what they are of); raises when there are too many.
     """
 
     def __init__(
@@ -73,7 +74,7 @@ class ColumnStratum:
         interner: Interner,
         stratum: frozenset[Indicator],
         rules: list[Clause],
-        check: Callable[[int], None],
+        check: Callable[..., None],
     ) -> None:
         self.tables, self.interner, self.stratum, self.check = tables, interner, stratum, check
         self.first = [_Rule(number, rule) for number, rule in enumerate(rules)]
@@ -115,29 +116,56 @@ class ColumnStratum:
         return delta
 
     def _derive(self, rule: _Rule, delta: list[Ids] | None) -> list[Ids]:
-        """The head's columns for every solution of the body."""
-        frame, size = self.solutions(rule.order, delta)
-        if size == 0:
-            return [np.empty(0, np.int64)] * rule.clause.head.arity
-        return [self._column(arg, frame, size) for arg in rule.clause.head.args]
+        """The head's columns for every solution of the body; of more than one block only what is new."""
+        head = rule.clause.head
+        table, kept = self.tables[head.indicator], np.empty(0, np.int64)
+        parts: list[list[Ids]] = []
+        waiting = 0
+        for frame, size in self._blocks(rule.order, delta):
+            parts.append([self._column(arg, frame, size) for arg in head.args])
+            waiting += size
+            if waiting > max(BLOCK, len(kept)):
+                codes = [code(part, table.base, len(part[0])) for part in parts]
+                parts, waiting = [], 0
+                kept = table.new(np.concatenate([kept, *codes]))
+                self._check_aside(len(kept), head.indicator)
+        return [np.concatenate(column) for column in zip(decode(kept, table.base, head.arity), *parts)]
 
-    def solutions(self, body: tuple[Literal, ...], delta: list[Ids] | None = None) -> tuple[Frame, int]:
-        """Every solution of a body; with a delta the first condition ranges over that, and the order stays."""
-        order = _ordered(body, None) if delta is None else body
-        frame: Frame = {}
-        size = 1
-        for at, literal in enumerate(order):
+    def _check_aside(self, waiting: int, indicator: Indicator) -> None:
+        """Whether there is room for rows that are counted when they are added."""
+        self.check(waiting, indicator)
+        self.check(-waiting, indicator)
+
+    def solutions(self, body: tuple[Literal, ...], indicator: Indicator) -> tuple[Frame, int]:
+        """Every solution of the body of a rule for some predicate."""
+        parts: list[Frame] = []
+        size = 0
+        for frame, more in self._blocks(_ordered(body, None), None):
+            size += more
+            self._check_aside(size, indicator)
+            parts.append(frame)
+        return {v: np.concatenate([part[v] for part in parts]) for v in (parts[0] if parts else ())}, size
+
+    def _blocks(self, order: tuple[Literal, ...], delta: list[Ids] | None) -> Iterator[tuple[Frame, int]]:
+        """The solutions in blocks; with a delta the first condition ranges over that."""
+        if delta is None:
+            return self._extended(order, 0, {}, 1)
+        return self._extended(order, 1, *self._bind(order[0], {}, delta, len(delta[0])))
+
+    def _extended(self, order: tuple[Literal, ...], at: int, frame: Frame, size: int) -> Iterator[tuple[Frame, int]]:
+        """The solutions that extend some partial ones, depth first: at most one block is kept for each condition."""
+        while size and at < len(order):
+            literal, at = order[at], at + 1
             if literal.is_comparison:
                 frame, size = self._compare(literal, frame, size)
             elif literal.negated:
                 frame, size = self._absent(literal, frame, size)
-            elif at == 0 and delta is not None:
-                frame, size = self._bind(literal, {}, delta, len(delta[0]))
             else:
-                frame, size = self._join(literal, frame, size)
-            if size == 0:
-                break
-        return frame, size
+                for extended, more in self._join(literal, frame, size):
+                    yield from self._extended(order, at, extended, more)
+                return
+        if size:
+            yield frame, size
 
     def codes(self, atom: Compound, frame: Frame, size: int) -> Ids:
         """The codes of an atom's rows, one for each solution."""
@@ -148,14 +176,14 @@ class ColumnStratum:
             return frame[arg]
         return np.full(size, self.interner.intern(arg), np.int64)
 
-    def _join(self, literal: Literal, frame: Frame, size: int) -> tuple[Frame, int]:
+    def _join(self, literal: Literal, frame: Frame, size: int) -> Iterator[tuple[Frame, int]]:
         table = self.tables[literal.atom.indicator]
         args = literal.atom.args
         bound = tuple(c for c, arg in enumerate(args) if not isinstance(arg, Variable) or arg in frame)
         keys = code([self._column(args[c], frame, size) for c in bound], table.base, size)
-        which, columns = table.join(bound, keys)
-        extended = {variable: values[which] for variable, values in frame.items()}
-        return self._bind(literal, extended, columns, len(which))
+        for which, columns in table.join(bound, keys, BLOCK):
+            extended = {variable: values[which] for variable, values in frame.items()}
+            yield self._bind(literal, extended, columns, len(which))
 
     def _bind(self, literal: Literal, frame: Frame, columns: list[Ids], size: int) -> tuple[Frame, int]:
         """Give the literal's variables their columns; constants and repeated variables become filters."""

@@ -4,30 +4,28 @@ For each stratum, lowest first: everything that some derivation rests on a row t
 that came) is over-deleted; what another rule still gives is put back; then what the new rows give is added. A row that
 is put back or added gets a new, later round, so proofs stay well-founded.
 
-When more rows are over-deleted than recomputing would cost, `TooMuch` asks for that instead. A stratum in which
-negation runs in a circle, that counts, or that has to do with undefined rows, is always worked out anew when something
-it needs has changed.
+When more rows are over-deleted than recomputing would cost, `TooMuch` asks for that instead. A rule that counts is
+followed group by group. A stratum in which negation runs in a circle, that keeps a minimum, or that has to do with
+undefined rows, is always worked out anew when something it needs has changed.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable, Mapping, MutableMapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, MutableMapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import TypeAlias
 
+from casper.kb.bottom_up.changes import Before, Change, ChangePlan, derives, noting
 from casper.kb.bottom_up.circles.doubts import Failure, add_undefined
 from casper.kb.bottom_up.join import Join
 from casper.kb.bottom_up.row_fixpoint import evaluate_stratum
 from casper.kb.bottom_up.size import MOST_ROWS, Room
+from casper.kb.bottom_up.stratification import Strata, Stratum
 from casper.kb.program.program import Program
-from casper.kb.program.strata import dependents, needs
-from casper.kb.relations.relation import Columns, Relation, Row
-from casper.kb.terms.clauses import Clause, Indicator
-from casper.kb.terms.unification import Bindings
+from casper.kb.relations.relation import Relation, Row
+from casper.kb.terms.clauses import Indicator
 
-Change: TypeAlias = dict[Indicator, dict[Row, None]]
 Given: TypeAlias = Mapping[Indicator, Mapping[Row, object]]  # base facts
 LEAST_TO_RECOMPUTE = 20_000  # over-deleted rows from which recomputing is considered at all
 
@@ -37,46 +35,24 @@ class TooMuch(Exception):
 
 
 @dataclass
-class _Plan:
-    """A rule for a change of one of its conditions: to find what it gives, and what it may have given."""
-
-    rule: Clause
-    at: int
-
-    @cached_property
-    def head(self) -> Indicator:
-        """The predicate it gives rows of."""
-        return self.rule.head.indicator
-
-    @cached_property
-    def gives(self) -> Join:
-        """The rule compiled for rows that came."""
-        return Join(self.rule, self.at)
-
-    @cached_property
-    def gave(self) -> Join:
-        """The rule compiled for rows that went: a superset of what it gave."""
-        return Join(self.rule, self.at, negations=False)
-
-
-@dataclass
 class Maintenance:
     """The compiled plans of a program, made when they are first needed."""
 
     program: Program
-    _plans: dict[tuple[Indicator, bool], list[_Plan]] = field(init=False)
+    _plans: dict[tuple[Indicator, bool], list[ChangePlan]] = field(init=False)
+    _strata: Strata = field(init=False)
     _checks: dict[Indicator, list[Join]] = field(default_factory=dict)
-    _needed: dict[frozenset[Indicator], frozenset[Indicator]] = field(default_factory=dict)
-    _renewed: dict[frozenset[Indicator], bool] = field(default_factory=dict)
-    _doubtful: dict[frozenset[Indicator], Sequence[Indicator]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self._plans = defaultdict(list)
+        self._plans, self._strata = defaultdict(list), Strata(self.program)
         stored = {indicator for stratum in self.program.strata for indicator in stratum}
         for rule in (rule for indicator in stored for rule in self.program.rules[indicator]):
             for at, literal in enumerate(rule.body):
-                if not literal.is_comparison and not literal.is_aggregate:
-                    self._plans[literal.atom.indicator, literal.negated].append(_Plan(rule, at))
+                if literal.is_aggregate and literal.needed is not None:
+                    for changed in (False, True):  # whether a row comes or goes
+                        self._plans[literal.needed, changed].append(ChangePlan(rule, at))
+                elif not literal.is_comparison:
+                    self._plans[literal.atom.indicator, literal.negated].append(ChangePlan(rule, at))
 
     def update(
         self, given: Given, relations: MutableMapping[Indicator, Relation], added: Change, removed: Change, round_: int
@@ -93,9 +69,9 @@ class Maintenance:
         blurred: set[Indicator] = set()  # predicates whose undefined rows have changed
         changed = {i for rows in (added, removed) for i in rows if rows[i]}
         for stratum in self.program.strata:
-            if changed.isdisjoint(stratum) and changed.isdisjoint(self._needs(stratum)):
+            if changed.isdisjoint(stratum) and changed.isdisjoint(self._strata.needs(stratum)):
                 continue
-            if self._is_blurred(stratum, relations, blurred):
+            if self._strata.is_blurred(stratum, relations, blurred):
                 round_ = self._renew(given, relations, stratum, came, went, blurred, round_)
                 changed.update(blurred, (i for i in stratum if came[i] or went[i]))
                 continue
@@ -121,59 +97,11 @@ class Maintenance:
                 changed |= blurred
         return round_
 
-    def _needs(self, stratum: frozenset[Indicator]) -> frozenset[Indicator]:
-        found = self._needed.get(stratum)
-        if found is None:
-            rules = (rule for i in stratum for rule in self.program.rules[i])
-            found = self._needed[stratum] = frozenset(needs(rules))
-        return found
-
-    def _is_blurred(
-        self, stratum: frozenset[Indicator], relations: Mapping[Indicator, Relation], blurred: set[Indicator]
-    ) -> bool:
-        """Whether undefined rows play a part in a stratum, or may come to."""
-        needed = self._needs(stratum)
-        if self._is_renewed(stratum) or not needed.isdisjoint(blurred):
-            return True
-        for indicator in self._doubtful_of(stratum):
-            relation = relations.get(indicator)
-            if relation is not None and relation.undefined is not None:
-                return True
-        return False
-
-    def _doubtful_of(self, stratum: frozenset[Indicator]) -> Sequence[Indicator]:
-        """The predicates that a stratum has to do with and that can have undefined rows at all."""
-        found = self._doubtful.get(stratum)
-        if found is None:
-            found = self._doubtful[stratum] = [i for i in (*stratum, *self._needs(stratum)) if i in self._fallible]
-        return found
-
-    @cached_property
-    def _fallible(self) -> set[Indicator]:
-        """The predicates with a rule that compares, counts, runs in a circle or keeps the best, and all that need them.
-
-        Rows of no other are ever undefined.
-        """
-        rules = self.program.rules
-        bodies = ((indicator, rule.body) for indicator, found in rules.items() for rule in found)
-        worked_out = {i for i, body in bodies if any(x.is_comparison or x.is_aggregate for x in body)}
-        roots = {*worked_out, *self.program.circular, *self.program.least}
-        return roots | dependents(rules, roots)
-
-    def _is_renewed(self, stratum: frozenset[Indicator]) -> bool:
-        """Whether a stratum is worked out anew whatever has changed: it counts, runs in a circle, or keeps the best."""
-        found = self._renewed.get(stratum)
-        if found is None:
-            counts = any(x.is_aggregate for i in stratum for rule in self.program.rules[i] for x in rule.body)
-            is_plain = stratum.isdisjoint({*self.program.circular, *self.program.least})
-            found = self._renewed[stratum] = counts or not is_plain
-        return found
-
     def _renew(
         self,
         given: Given,
         relations: MutableMapping[Indicator, Relation],
-        stratum: frozenset[Indicator],
+        stratum: Stratum,
         came: Change,
         went: Change,
         blurred: set[Indicator],
@@ -181,7 +109,7 @@ class Maintenance:
     ) -> int:
         """Work a stratum out anew, and note what that changes; the last round used."""
         program = replace(self.program, given=given)  # type: ignore[arg-type]
-        anew = {i: relations[i] for i in self._needs(stratum) if i in relations}
+        anew = {i: relations[i] for i in self._strata.needs(stratum) if i in relations}
         anew.update((i, Relation(*i, given[i])) for i in stratum)
         last = evaluate_stratum(program, stratum, anew, Room(MOST_ROWS, anew), round_)
         for indicator in stratum:
@@ -202,13 +130,13 @@ class Maintenance:
         self,
         given: Given,
         relations: Mapping[Indicator, Relation],
-        stratum: frozenset[Indicator],
+        stratum: Stratum,
         removed: Change,
         came: Change,
         went: Change,
     ) -> Change:
         """Every row of the stratum that some derivation rests on a change of; a superset of what must go."""
-        view = _Before(relations, went)
+        view = Before(relations, went)
         over: Change = defaultdict(dict)
         delta: Change = {i: {r: None for r in removed[i] if r in relations[i]} for i in stratum if removed.get(i)}
         for indicator, rows in delta.items():
@@ -235,7 +163,7 @@ class Maintenance:
         indicator: Indicator,
         negated: bool,
         rows: Iterable[Row],
-        stratum: frozenset[Indicator],
+        stratum: Stratum,
         view: Mapping[Indicator, Relation],
         found: Change,
     ) -> None:
@@ -243,7 +171,7 @@ class Maintenance:
             return
         for plan in self._plans.get((indicator, negated), ()):
             if plan.head in stratum:
-                plan.gave.run(view, rows, found[plan.head].setdefault)
+                plan.gave(view, rows, found[plan.head])
 
     def _rederive(
         self,
@@ -257,7 +185,7 @@ class Maintenance:
         for indicator, rows in over.items():
             checks = self._checks_of(indicator)
             for row in rows:
-                if row in given[indicator] or any(_derives(check, relations, row, failures) for check in checks):
+                if row in given[indicator] or any(derives(check, relations, row, failures) for check in checks):
                     fresh.setdefault(indicator, {})[row] = None
 
     def _checks_of(self, indicator: Indicator) -> list[Join]:
@@ -269,7 +197,7 @@ class Maintenance:
     def _insert(
         self,
         relations: Mapping[Indicator, Relation],
-        stratum: frozenset[Indicator],
+        stratum: Stratum,
         fresh: Change,
         came: Change,
         went: Change,
@@ -295,7 +223,7 @@ class Maintenance:
         indicator: Indicator,
         negated: bool,
         rows: Collection[Row],
-        stratum: frozenset[Indicator],
+        stratum: Stratum,
         relations: Mapping[Indicator, Relation],
         fresh: Change,
         failures: list[Failure],
@@ -305,7 +233,7 @@ class Maintenance:
         for plan in self._plans.get((indicator, negated), ()):
             if plan.head in stratum:
                 found: dict[Row, None] = {}
-                plan.gives.run(relations, rows, found.setdefault, None, _noting(plan.rule, failures))
+                plan.gives.run(relations, rows, found.setdefault, None, noting(plan.rule, failures))
                 known = relations[plan.head]
                 for row in found:
                     if row not in known:
@@ -315,42 +243,3 @@ class Maintenance:
         gone = sum(map(len, over.values()))
         if gone > LEAST_TO_RECOMPUTE and gone > 0.1 * sum(map(len, relations.values())):
             raise TooMuch
-
-
-def _noting(rule: Clause, failures: list[Failure]) -> Callable[[Bindings], None]:
-    def failed(known: Bindings) -> None:
-        failures.append((rule, known))
-
-    return failed
-
-
-def _derives(check: Join, relations: Mapping[Indicator, Relation], row: Row, failures: list[Failure]) -> bool:
-    return check.derives(relations, row, _noting(check.clause, failures))
-
-
-class _Before(dict[Indicator, Relation]):
-    """The relations with the rows that already went in lower strata laid back in."""
-
-    def __init__(self, relations: Mapping[Indicator, Relation], went: Change) -> None:
-        super().__init__()
-        self.relations, self.went = relations, went
-
-    def __missing__(self, indicator: Indicator) -> Relation:
-        rows = self.went.get(indicator)
-        relation = self.relations[indicator]
-        found = _With(relation, rows) if rows else relation
-        self[indicator] = found
-        return found
-
-
-class _With(Relation):
-    """A relation together with some more rows, to be looked up only."""
-
-    def __init__(self, below: Relation, more: Iterable[Row]) -> None:
-        super().__init__(below.name, below.arity, more)
-        self.below = below
-
-    def matching(self, columns: Columns, key: Row) -> Collection[Row]:
-        return [*self.below.matching(columns, key), *super().matching(columns, key)]
-
-

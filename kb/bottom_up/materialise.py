@@ -25,9 +25,19 @@ def materialise(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator,
     """All rows of every stored predicate.
 
     Raises:
-        BudgetExceeded: more than ``most_rows`` rows were derived.
+        BudgetExceeded: more than ``most_rows`` rows were derived, or more than there is memory for.
     """
+    try:
+        return _materialised(program, most_rows)
+    except MemoryError:
+        pass  # what was derived is freed first
+    raise BudgetExceeded("more facts follow than there is memory for: what follows is unknown")
+
+
+def _materialised(program: Program, most_rows: int) -> dict[Indicator, Relation]:
     stored = [indicator for stratum in program.strata for indicator in stratum]
+    if not any(program.rules[i] for i in stored):  # nothing follows: a join makes columns when one is asked for
+        return row_fixpoint(program, most_rows)
     columns_from = COLUMNS_FROM * max(1, sum(len(program.rules[i]) for i in stored) // MANY_RULES)
     if sum(len(program.given[i]) for i in stored) < columns_from:
         try:

@@ -26,13 +26,18 @@ class Room:
     def __post_init__(self) -> None:
         self.taken = sum(map(len, self.relations.values()))
 
-    def take(self, new: int) -> None:
-        """Count some new rows.
+    @property
+    def left(self) -> int:
+        """How many more there may be."""
+        return self.most_rows - self.taken
+
+    def take(self, new: int, of: Indicator | None = None) -> None:
+        """Count some new rows, perhaps all of one predicate.
 
         Raises:
             BudgetExceeded: there are more rows than that; the sentence names the largest predicate.
         """
         self.taken += new
         if self.taken > self.most_rows:
-            name, arity = max(self.relations, key=lambda indicator: len(self.relations[indicator]))
+            name, arity = of or max(self.relations, key=lambda indicator: len(self.relations[indicator]))
             raise BudgetExceeded(f"there are more than {self.most_rows} facts; {name}/{arity} has most of them")

@@ -86,10 +86,13 @@ class Stratum:
     def _emitter(self, rule: Clause) -> Emit:
         known = self.relations[rule.head.indicator].rows
         fresh = self.fresh.setdefault(rule.head.indicator, {})
+        most = self.room.left
 
         def emit(row: Row) -> None:
             if row not in known:
                 fresh[row] = None
+                if len(fresh) > most:  # within a round, too
+                    self.room.take(len(fresh), rule.head.indicator)
 
         return emit
 

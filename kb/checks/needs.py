@@ -7,6 +7,7 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 from casper.kb.checks.finding import Finding, note
+from casper.kb.program.strata import needs
 from casper.kb.program.strata import negative_circles as circles_of
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator
 
@@ -21,8 +22,7 @@ def needs_graph(clauses: Iterable[Clause]) -> nx.DiGraph:
     graph: nx.DiGraph = nx.DiGraph()
     for clause in clauses:
         graph.add_node(clause.head.indicator)
-        needed = (x.needed for x in clause.body if x.needed is not None)
-        graph.add_edges_from((clause.head.indicator, other) for other in needed)
+        graph.add_edges_from((clause.head.indicator, other) for other in needs([clause]))
     return graph
 
 

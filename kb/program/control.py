@@ -18,7 +18,7 @@ from casper.kb.terms.control import CONTROL
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import Bindings, substitute, variables_of
-from casper.kb.terms.values.aggregates import is_way
+from casper.kb.terms.values.aggregates import check_way
 
 _FAILS = Compound(("=", "true", "fail"))
 
@@ -50,7 +50,10 @@ def plain_query(body: Sequence[Literal], prefix: str) -> tuple[list[tuple[Litera
 
 def is_control(literal: Literal) -> bool:
     """Whether a condition is made of other conditions."""
-    return literal.atom.indicator in CONTROL or (literal.atom[0] in (",", ";") and len(literal.atom) > 2)
+    name, size = literal.atom[0], len(literal.atom)
+    if name == "call" and size > 1:
+        return not isinstance(literal.atom[1], Variable)
+    return literal.atom.indicator in CONTROL or (name in (",", ";") and size > 2)
 
 
 @dataclass
@@ -177,9 +180,7 @@ def _parts(leaf: Literal) -> tuple[Term, Term, Term]:
     if leaf.atom[0] == "findall":
         what = Compound(("bag", what))
     place = leaf.place if leaf.place.line else None
-    if not is_way(what):
-        ways = "count, sum(E), min(E), max(E), min(E, W), max(E, W), bag(T) or set(T)"
-        raise ProgramError(f"aggregate_all cannot work out {term_text(what)}; write {ways}", place)
+    check_way(what, place)
     if not isinstance(goal, (str, Compound)):
         raise ProgramError(f"{leaf.atom[0]} needs a goal, not {term_text(goal)}", place)
     return what, goal, result
@@ -188,6 +189,8 @@ def _parts(leaf: Literal) -> tuple[Term, Term, Term]:
 def _alternatives(goal: Compound, negated: bool, place: Place) -> list[list[Literal]]:
     """A goal as alternatives of conditions, in the author's order; what is negated or counted as a whole stays one."""
     name, args = goal.functor, goal.args
+    if name == "call" and args and not isinstance(args[0], Variable):
+        return _alternatives(_called(goal, place), negated, place)
     if name in ("\\+", "not") and len(args) == 1:
         return _alternatives(_goal(args[0], place), not negated, place)
     if (name in ("true", "fail", "false")) and not args:
@@ -205,6 +208,19 @@ def _alternatives(goal: Compound, negated: bool, place: Place) -> list[list[Lite
     if goal.indicator in _AGGREGATES and negated:
         return [[Literal(Compound((",", goal)), True, place)]]
     return [[Literal(goal, negated, place)]]
+
+
+def _called(goal: Compound, place: Place) -> Compound:
+    """The goal that ``call(G, X, …)`` calls.
+
+    Raises:
+        ProgramError: it is a number, or takes no more arguments.
+    """
+    inner, extra = _goal(goal[1], place), goal.args[1:]
+    if extra and (is_control(Literal(inner)) or inner.functor in (",", ";")):
+        sentence = f"{term_text(goal)}: what is called is a whole goal and takes no more arguments; name it by a rule"
+        raise ProgramError(sentence, place if place.line else None)
+    return Compound((*inner, *extra))
 
 
 def _inside_out(goal: Compound, place: Place) -> list[list[Literal]]:

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from difflib import get_close_matches
 
 from casper.kb.errors import Place, ProgramError
-from casper.kb.terms.builtins import BUILTINS
+from casper.kb.terms.builtins import BUILTINS, MOST_EXTRA
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal, is_auxiliary
 from casper.kb.terms.comparison import misspelt
 from casper.kb.terms.control import CONTROL
@@ -18,7 +18,8 @@ from casper.kb.terms.values.arithmetic import CONSTANTS, FUNCTIONS
 def check_own(indicator: Indicator, place: Place) -> None:
     """Refuse to define what the system defines."""
     name, arity = indicator
-    if indicator in SYSTEM or indicator in CONTROL or indicator == ("call", 1) or (name in COMPARISONS and arity == 2):
+    is_call = name == "call" and 1 <= arity <= 1 + MOST_EXTRA
+    if indicator in SYSTEM or indicator in CONTROL or is_call or (name in COMPARISONS and arity == 2):
         sentence = f"{name}/{arity} is defined by the system; choose another name"
         raise ProgramError(sentence, place if place.line else None)
 
@@ -29,8 +30,12 @@ def check_defined(literal: Literal, known: Collection[Indicator]) -> None:
     Raises:
         ProgramError: naming the predicate, its place, and what may have been meant.
     """
-    needed = literal.needed
-    if needed is not None and needed not in SYSTEM and needed not in known and needed not in BUILTINS:
+    called = None if literal.atom.indicator in known else literal.called
+    for needed in (literal.needed, called):
+        if needed is None or needed in SYSTEM or needed in known or needed in BUILTINS:
+            continue
+        if needed == called and needed[0] in COMPARISONS:
+            continue
         place = literal.place if literal.place.line else None
         raise ProgramError(undefined_sentence(needed, known), place)
 

@@ -28,8 +28,12 @@ def dependents(table: Table, roots: set[Indicator]) -> set[Indicator]:
 
 
 def needs(clauses: Iterable[Clause]) -> Iterator[Indicator]:
-    """The predicates that clauses need, one for each condition that is looked up."""
-    return (x.needed for clause in clauses for x in clause.body if x.needed is not None)
+    """The predicates that clauses need: what is looked up, and what is called by a built-in."""
+    for literal in (x for clause in clauses for x in clause.body):
+        if literal.needed is not None:
+            yield literal.needed
+        if literal.called is not None:
+            yield literal.called
 
 
 def circular(table: Table) -> set[Indicator]:

@@ -19,10 +19,11 @@ from casper.kb.reasons.why_not import Refusal, Violation
 from casper.kb.relations.relation import Relation
 from casper.kb.terms.clauses import SITUATION, SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
-from casper.kb.terms.unification import Bindings, substitute, variables_of
+from casper.kb.terms.terms import Compound, Term, as_term, predication
+from casper.kb.terms.unification import Bindings, is_ground, substitute
 from casper.kb.terms.unknown import DOUBT
 from casper.kb.text.lines import Line, one_line, text_of
+from casper.kb.top_down.compiled.cells import rigid
 from casper.kb.top_down.solve import Solver
 
 History: TypeAlias = Sequence[tuple[Term, float]]  # what happened earlier: (statement, seconds)
@@ -90,10 +91,10 @@ class Constraints:
         candidates = [(clause, join) for clause, join in self.by_claim if _may_concern(clause, claim)]
         if not candidates:
             return
-        relations = _Overlay(solver.relations, {("claim", 1): Relation("claim", 1, [(as_term(claim),)])})
-        open_ = tuple(variables_of(claim))
+        relations = _Overlay(solver.relations, {("claim", 1): Relation("claim", 1, [(rigid(as_term(claim)),)])})
+        is_open = not is_ground(claim)
         for clause, join in candidates:
-            if join is not None and not open_ and _is_settled(clause, relations):
+            if join is not None and not is_open and _is_settled(clause, relations):
                 failures: list[Bindings] = []
                 solution = join.first(relations, failures.append)
                 if solution is not None:
@@ -101,7 +102,7 @@ class Constraints:
                 if solution is not None or not failures:
                     continue
             search = solver.over(relations, floundering_fails=True)
-            violation = _violation(clause, search, open_)
+            violation = _violation(clause, search)
             if violation is not None:
                 yield violation
 
@@ -167,14 +168,11 @@ def _may_concern(clause: Clause, claim: Compound) -> bool:
     return True
 
 
-def _violation(clause: Clause, solver: Solver, open_: tuple[Variable, ...] = ()) -> Violation | None:
+def _violation(clause: Clause, solver: Solver) -> Violation | None:
     """The first way the constraint is broken for every value of the claim's open parts, or may be; or None."""
     _, body = solver.fresh(clause)
     doubtful: Violation | None = None
     for solution in solver.possible(body):
-        values = [substitute(variable, solution) for variable in open_]
-        if len(set(values)) < len(values) or not all(isinstance(value, Variable) for value in values):
-            continue  # broken for some values only: another may still be valid
         if DOUBT not in solution:
             return _told(clause, body, solution)
         doubtful = doubtful or replace(_told(clause, body, solution), doubt=str(solution[DOUBT]))

@@ -147,7 +147,7 @@ def _searched_body(
         is_earlier = indicator in earlier
         relations[indicator] = _Earlier(relation, round_) if is_earlier else relation  # type: ignore[assignment]
     solver = known.solver
-    search = solver.plain().over(relations)  # its premises are rows, too
+    search = solver.over(relations)  # its premises are rows, too
     for body in _instances(atom, clause, search):
         if all(next(solver.solve([x]), None) is not None for x in body if x.is_strict):  # in all rows, not the earlier
             return body

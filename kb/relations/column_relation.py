@@ -54,7 +54,7 @@ class ColumnRelation(Relation):
         if table is None:
             return row in self._decoded
         numbers = [self._interner.number(constant) for constant in row]  # type: ignore[attr-defined]
-        if None in numbers:
+        if any(number is None or number >= table.base for number in numbers):  # others may use the interner, too
             return False
         columns = [np.array([number], np.int64) for number in numbers]
         return bool(table.has(code(columns, table.base, 1))[0])

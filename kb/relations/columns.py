@@ -6,7 +6,8 @@ rows up by any columns, and testing for duplicates all stay near-linear in the r
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import sys
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 from typing import TypeAlias
 
@@ -105,13 +106,7 @@ class Table:
 
     def add(self, columns: list[Ids], round_: int) -> list[Ids]:
         """Add rows; the ones that were new, each once, as columns."""
-        size = len(columns[0]) if columns else 0
-        codes = code(columns, self.base, size)
-        if self._bitmap is None:
-            codes = _distinct(codes)
-            codes = codes[~self.has(codes)]
-        else:  # most of what is found again is known: looking it up first leaves little to sort
-            codes = _distinct(codes[~self._bitmap[codes]])
+        codes = self.new(code(columns, self.base, len(columns[0]) if columns else 0))
         if not len(codes):
             return [np.empty(0, np.int64)] * self.arity
         if self._bitmap is not None:
@@ -119,6 +114,13 @@ class Table:
         new = decode(codes, self.base, self.arity)
         self._push(Run(new, np.full(len(codes), round_, np.int64)))
         return new
+
+    def new(self, codes: Ids) -> Ids:
+        """Of some row codes those that are not there, each once, in order."""
+        if self._bitmap is None:
+            codes = _distinct(codes)
+            return codes[~self.has(codes)]
+        return _distinct(codes[~self._bitmap[codes]])  # most that is found again is known: that leaves little to sort
 
     def fill(self, codes: Ids, rounds: Ids) -> None:
         """Put distinct rows into an empty table, each with its round."""
@@ -141,20 +143,21 @@ class Table:
             run = Run(columns, np.concatenate((other.rounds, run.rounds)))
         self.runs.append(run)
 
-    def join(self, columns: tuple[int, ...], keys: Ids) -> tuple[Ids, list[Ids]]:
-        """Rows matching each key on the columns: (the key's number for every match, the matches as columns)."""
-        parts = [self._join_run(run, columns, keys) for run in self.runs]
-        if not parts:
-            return np.empty(0, np.int64), [np.empty(0, np.int64)] * self.arity
-        which = np.concatenate([which for which, _ in parts])
-        found = [(run, at) for run, (_, at) in zip(self.runs, parts)]
-        return which, [np.concatenate([run.columns[c][at] for run, at in found]) for c in range(self.arity)]
+    def join(
+        self, columns: tuple[int, ...], keys: Ids, most: int = sys.maxsize
+    ) -> Iterator[tuple[Ids, list[Ids]]]:
+        """Rows matching each key on the columns: (the key's number for every match, the matches as columns).
 
-    def _join_run(self, run: Run, columns: tuple[int, ...], keys: Ids) -> tuple[Ids, Ids]:
-        low, counts, order = run.spans(columns, self.base, keys)
-        which = np.repeat(np.arange(len(keys)), counts)
-        offsets = np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
-        return which, order[np.repeat(low, counts) + offsets]
+        In one block, or in several of at most ``most`` matches where there are more.
+        """
+        spans = [run.spans(columns, self.base, keys) for run in self.runs]
+        few = sum(int(counts.sum()) for _, counts, _ in spans) <= most
+        blocks = ((run, *found) for run, span in zip(self.runs, spans) for found in matches(*span, most))
+        for together in [list(blocks)] if few else ([block] for block in blocks):
+            if together:
+                which = np.concatenate([which for _, which, _ in together])
+                found = [[run.columns[c][at] for run, _, at in together] for c in range(self.arity)]
+                yield which, [np.concatenate(parts) for parts in found]
 
     def any_match(self, columns: tuple[int, ...], keys: Ids) -> NDArray[np.bool_]:
         """For each key whether some row has it on the columns."""
@@ -169,6 +172,20 @@ class Table:
         if not self.runs:
             return [np.empty(0, np.int64)] * self.arity
         return [np.concatenate([run.columns[c] for run in self.runs]) for c in range(self.arity)]
+
+
+def matches(low: Ids, counts: Ids, order: Ids, most: int) -> Iterator[tuple[Ids, Ids]]:
+    """The matches that spans say (`Run.spans`): the key's number and the row's for each, at most so many at once."""
+    ends = np.cumsum(counts)
+    total = int(ends[-1]) if len(ends) else 0
+    for begin in range(0, total, most):
+        end = min(begin + most, total)
+        first, last = np.searchsorted(ends, [begin, end - 1], "right").tolist()
+        here = slice(first, last + 1)
+        starts = ends[here] - counts[here]  # where the matches of each key begin
+        taken = np.minimum(ends[here], end) - np.maximum(starts, begin)
+        which = np.repeat(np.arange(first, last + 1), taken)
+        yield which, order[np.repeat(low[here] - starts, taken) + np.arange(begin, end)]
 
 
 def _distinct(codes: Ids) -> Ids:

@@ -32,6 +32,7 @@ class LayeredRelation(Relation):
             return True
         if row in self.below and row not in self.gone:
             self.gone.add(row)
+            self.coded = None
             return True
         return False
 

@@ -6,7 +6,7 @@ An index, once built, is kept up as rows come and go, so a lookup touches only r
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from casper.kb.terms.terms import Term
 
@@ -23,6 +23,7 @@ class Relation:
         self.rows: dict[Row, int] = dict.fromkeys(rows, 0)
         self._indexes: dict[Columns, Index] = {}
         self.undefined: Relation | None = None  # rows that are neither true nor false; none is an empty relation
+        self.coded: Any = None  # the rows as columns of numbers (`kb.relations.coded`), until one comes or goes
         self.touched = 0  # rows handed out by lookups: the measure of work that tests count
 
     def add(self, row: Row, round_: int = 0) -> bool:
@@ -30,6 +31,7 @@ class Relation:
         if row in self.rows:
             return False
         self.rows[row] = round_
+        self.coded = None
         for columns, index in self._indexes.items():
             key = tuple([row[c] for c in columns])
             bucket = index.get(key)
@@ -43,6 +45,7 @@ class Relation:
         """Take a row out; False when it was not there."""
         if self.rows.pop(row, None) is None:
             return False
+        self.coded = None
         for columns, index in self._indexes.items():
             key = tuple([row[c] for c in columns])
             bucket = index[key]

@@ -7,8 +7,9 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from threading import RLock
 
+from casper.kb.bottom_up.changes import Change
 from casper.kb.bottom_up.heights import least_heights
-from casper.kb.bottom_up.incremental import Change, Maintenance, TooMuch
+from casper.kb.bottom_up.incremental import Maintenance, TooMuch
 from casper.kb.bottom_up.materialise import materialise
 from casper.kb.errors import ProgramError
 from casper.kb.program.declarations import Moded

@@ -7,9 +7,9 @@ from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
-from casper.kb.errors import Undefined
+from casper.kb.errors import BudgetExceeded, NotOnColumns, Undefined
 from casper.kb.program.control import plain_query
 from casper.kb.program.refusals import check_computable, check_defined
 from casper.kb.reasons.doubt import Doubt, doubt_of
@@ -22,12 +22,19 @@ from casper.kb.terms.unknown import closed
 from casper.kb.text.reader import read_query
 from casper.kb.top_down.answering import Answering
 from casper.kb.top_down.compiled.cells import variant
-from casper.kb.top_down.linking import Code, Links
-from casper.kb.top_down.plan import Plan, plan_of
+from casper.kb.top_down.joining import join_on_columns
+from casper.kb.top_down.linking import Links
+from casper.kb.top_down.plan import Plan, on_columns, plan_of
+
+if TYPE_CHECKING:
+    from casper.kb.relations.tables.answers import Answers
+    from casper.kb.relations.tables.joins import Join
 
 Clauses: TypeAlias = Mapping[Indicator, tuple[Clause, ...]]
 Doubted: TypeAlias = tuple[tuple[Variable, ...], Row, str]  # what is asked for, an undefined answer, and the reason
 MOST_REMEMBERED = 1024  # texts of queries
+AT_FIRST = 1_000  # answers that come row by row, at once, before many are joined on columns
+MOST_ANSWERS = 5_000_000  # that are told apart row by row: a GB
 conditions_of = lru_cache(maxsize=MOST_REMEMBERED)(read_query)
 
 
@@ -64,11 +71,20 @@ def query_of(goal: str, clauses: Clauses) -> Query:
     return Query(tuple(alternatives), known)
 
 
+def join_of_query(query: Query, links: Links) -> Join | str | None:
+    """A query that has many answers as a join on columns; what is in the way of it, or None where it has few."""
+    if len(query.alternatives) != 1 or query.inner:
+        return None
+    [(variables, body)] = query.alternatives
+    return join_on_columns(body, variables, links)
+
+
 def plan_of_query(query: Query, links: Links) -> Plan:
     """How a query would be answered."""
+    columns = on_columns(join_of_query(query, links))
     if query.inner:
-        links = Links(links.relations, Code({**links.code.clauses, **query.inner}), links.computed)
-    return plan_of([links.code.query(body) for _, body in query.alternatives], links)
+        links = Links(links.relations, links.code.extended(query.inner), links.computed)
+    return plan_of([links.code.query(body) for _, body in query.alternatives], links, columns)
 
 
 def answers(
@@ -92,24 +108,71 @@ def answers(
     seen: set[Hashable] = set()
     doubts: dict[Hashable, Doubted] = {}
     solver = solver.with_inner(query.inner)
+    early: list[Row] = []
+    asked: dict[tuple[Variable, ...], int] = {}  # a number is faster than names in a key
     for variables, body in query.alternatives:
-        names = [variable.name for variable in variables]
-        asked = tuple(names)
+        names, number = [variable.name for variable in variables], asked.setdefault(variables, len(asked))
         for row, doubt in solver.rows(body, variables):
-            key = asked, variant(row)
+            key = number, variant(row)
             if doubt:
                 doubts.setdefault(key, (variables, row, doubt))
             elif key not in seen:
                 seen.add(key)
+                if len(seen) <= AT_FIRST:
+                    early.append(row)
                 if not undefined:
                     yield dict(zip(names, row))
                     if len(seen) == limit:  # the next answer may be far away
                         return
+                if len(seen) == AT_FIRST and not undefined:
+                    given = set(early)
+                    try:
+                        beyond = islice(_beyond(query, given, solver), limit and limit - AT_FIRST)
+                        yield from (dict(zip(names, row)) for row in beyond)
+                        return
+                    except NotOnColumns:  # so the rest comes row by row
+                        seen.update((number, variant(row)) for row in given)
+                elif len(seen) > MOST_ANSWERS:
+                    raise BudgetExceeded(f"there are more than {MOST_ANSWERS:,} answers, too many to tell apart")
     left = [doubt for key, doubt in doubts.items() if key not in seen]
     if undefined:
         yield from ({v.name: value for v, value in zip(variables, row)} for variables, row, _ in islice(left, limit))
     elif left and (limit is None or len(seen) < limit):
         raise Undefined(_undefined_answers(left))
+
+
+def _beyond(query: Query, given: set[Row], solver: Answering) -> Iterator[Row]:
+    """The answers to a query that has many, but for those that were given.
+
+    Raises:
+        NotOnColumns: it cannot be worked out on columns; what came is among those given.
+    """
+    join = join_of_query(query, solver.links)
+    if join is None or isinstance(join, str):
+        raise NotOnColumns(join or "there are few answers")
+    from casper.kb.relations.tables.joins import rows_beyond  # numpy is loaded when there are many
+
+    look = solver.meter(join.body)
+    return rows_beyond(join, given, lambda: look(0))
+
+
+def table_of(query: Query, solver: Answering, timeout: float | None = None) -> Answers | None:
+    """The answers to a query that has many, joined on columns; None where they have to come row by row.
+
+    Raises:
+        BudgetExceeded: there are too many for a table, or the ``timeout`` (in seconds from now on) is over.
+    """
+    join = join_of_query(query, solver.links)
+    if join is None or isinstance(join, str):
+        return None
+    from casper.kb.relations.tables.answers import of_join  # numpy is loaded when there are many
+
+    solver.deadline = None if timeout is None else time.monotonic() + timeout
+    look = solver.meter(join.body)
+    try:
+        return of_join(join, lambda: look(0))
+    except NotOnColumns:
+        return None
 
 
 def _undefined_answers(left: Sequence[Doubted]) -> str:

@@ -10,7 +10,7 @@ from casper.kb.program.refusals import undefined_sentence
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.store.clause_store import ClauseStore
 from casper.kb.store.known import MOST_INDEXED, Statement, known_of, looked_up
-from casper.kb.store.queries import answers, conditions_of, instances, plan_of_query
+from casper.kb.store.queries import answers, conditions_of, instances, plan_of_query, table_of
 from casper.kb.store.versioned import of_one_moment
 from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import SYSTEM, Indicator, Literal
@@ -185,8 +185,9 @@ class Questions(ClauseStore):
     ) -> Answers:
         """All answers to a query as columns: ``kb.table("eat(A, T, D)").columns["A"]`` is an array.
 
-        One atom of a stored predicate is read off its rows; those of a large program never become Python tuples. Any
-        other query is answered as by `query`, which also says what the arguments mean and what is raised.
+        One atom of a stored predicate is read off its rows, and many answers over stored rows are joined on columns:
+        none of them becomes a Python tuple. Any other query is answered as by `query`, which also says what the
+        arguments mean and what is raised; besides, `BudgetExceeded` says that there are too many answers for a table.
         """
         from casper.kb.relations.tables.answers import of_answers, of_stored  # numpy is loaded for those who ask for it
 
@@ -199,6 +200,11 @@ class Questions(ClauseStore):
             found = of_stored(literal.atom, relation) if relation is not None and settled else None
             if found is not None:
                 return found
+        solver = self.solver(budget)
+        solver.cancelled = cancelled
+        joined = table_of(self._model.query(goal), solver, timeout)
+        if joined is not None:
+            return joined
         variables = dict.fromkeys(v.name for body in alternatives for literal in body for v in literal.variables())
         return of_answers([name for name in variables if not name.startswith("_")], found_later)
 

@@ -10,11 +10,30 @@ from casper.kb.terms.clauses import Indicator
 
 MOST_EXTRA = 7  # arguments that call/N adds to its goal
 CONTROL: frozenset[Indicator] = frozenset({("true", 0), ("fail", 0), ("false", 0), ("not", 1), ("call", 1)})
+KINDS = ("atom", "atomic", "callable", "compound", "float", "ground", "integer", "is_list", "nonvar", "number", "var")
 BUILTINS: frozenset[Indicator] = CONTROL | frozenset(
     {
         *(("call", 1 + extra) for extra in range(1, MOST_EXTRA + 1)),
         *(("maplist", 1 + lists) for lists in (1, 2, 3)),
+        *((kind, 1) for kind in KINDS),
         ("append", 3),
+        ("atom_chars", 2),
+        ("atom_codes", 2),
+        ("atom_number", 2),
+        ("char_code", 2),
+        ("downcase_atom", 2),
+        ("exclude", 3),
+        ("foldl", 4),
+        ("foldl", 5),
+        ("include", 3),
+        ("number_codes", 2),
+        ("numlist", 3),
+        ("partition", 4),
+        ("plus", 3),
+        ("sub_atom", 5),
+        ("succ", 2),
+        ("sumlist", 2),
+        ("upcase_atom", 2),
         ("atom_concat", 3),
         ("atom_length", 2),
         ("between", 3),

@@ -12,7 +12,7 @@ from typing import TypeAlias
 from casper.kb.errors import Place
 from casper.kb.terms.control import CONTROL
 from casper.kb.terms.syntax import COMPARISONS, statement_text, term_text
-from casper.kb.terms.terms import Compound, Term, Variable, as_term
+from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import Bindings, renamed, substitute, variables_of
 
 NOWHERE = Place()
@@ -24,6 +24,16 @@ COMPUTED: tuple[Indicator, ...] = (("valid", 1), ("never", 1))
 SYSTEM: tuple[Indicator, ...] = (*SITUATION, *COMPUTED)
 AGGREGATE = "aggregate_all"  # as a condition of a program: aggregate_all(What, auxiliary(...), Result)
 AUXILIARY = "goal: "  # in front of the names of predicates that stand for a goal inside a clause; no text has such
+
+
+CALLING: dict[Indicator, int] = {  # built-ins that call their first argument, with so many arguments more
+    **{("maplist", 1 + lists): lists for lists in (1, 2, 3)},
+    ("include", 3): 1,
+    ("exclude", 3): 1,
+    ("partition", 4): 1,
+    ("foldl", 4): 3,
+    ("foldl", 5): 4,
+}
 
 
 def is_auxiliary(indicator: Indicator) -> bool:
@@ -65,6 +75,16 @@ class Literal:
             return None
         inner: Compound = self.atom[2] if self.is_aggregate else self.atom
         return inner.indicator
+
+    @property
+    def called(self) -> Indicator | None:
+        """The predicate that a condition such as ``maplist(p, L)`` calls, where that is written there; else None."""
+        extra = CALLING.get(self.atom.indicator)
+        goal = self.atom[1] if extra is not None else None
+        if extra is None or not isinstance(goal, (str, Compound)):
+            return None
+        name, arity = predication(goal).indicator
+        return None if (name, arity) in CONTROL or name in (",", ";") else (name, arity + extra)
 
     def strict_variables(self) -> Iterator[Variable]:
         """What must be known before a negation or an aggregate can be decided."""

@@ -39,6 +39,15 @@ class Variable:
         return "_" if self.is_anonymous else repr(self)
 
 
+class Rigid(Variable):
+    """A variable that stands for every value at once: what a search says with it must hold whatever it is.
+
+    It is never bound, and what has one in it is not decided before it is known.
+    """
+
+    __slots__ = ()
+
+
 class Compound(tuple[Term, ...]):
     """A functor with its arguments, as one tuple: ``Compound(("eat", "human", "biscuits", "plate"))``."""
 

@@ -7,6 +7,7 @@ from functools import cached_property, partial
 from typing import Any, TypeAlias
 
 from casper.kb.errors import ProgramError
+from casper.kb.program.listing import is_range_restricted
 from casper.kb.program.refusals import undefined_sentence
 from casper.kb.relations.relation import Relation
 from casper.kb.terms.builtins import BUILTINS
@@ -14,12 +15,13 @@ from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import variables_of
 from casper.kb.top_down.builtins import COMPUTING, CONTROL, library
-from casper.kb.top_down.compiled.code import CompiledClause, NotCarried, Pattern, Procedure
+from casper.kb.top_down.compiled.code import CompiledClause, Pattern, Procedure
+from casper.kb.top_down.lookups import Lookups
 from casper.kb.top_down.planning import SizeOf, ordered
 from casper.kb.top_down.recursion import tabled_of
 
 Computed: TypeAlias = Callable[[Compound], Iterator[Compound]]
-RESOLVED, TABLED, STORED, BUILT_IN, ASKED, CONTROLLED = range(6)
+RESOLVED, TABLED, STORED, DOUBTFUL, BUILT_IN, ASKED, CONTROLLED = range(7)
 
 
 class Link:
@@ -38,6 +40,7 @@ class Code:
         clauses: of every predicate that is resolved.
         finite: predicates whose rows could all be listed: the order of their conditions is the planner's.
         size_of: how many rows a predicate has, or may have.
+        below: the code of a program that these clauses are added to: what it has compiled is compiled.
     """
 
     def __init__(
@@ -45,17 +48,28 @@ class Code:
         clauses: Mapping[Indicator, Sequence[Clause]],
         finite: Collection[Indicator] = (),
         size_of: SizeOf = lambda _: 1,
+        below: Code | None = None,
     ) -> None:
-        self.clauses, self.finite, self.size_of = clauses, finite, size_of
+        self.clauses, self.finite, self.size_of, self.below = clauses, finite, size_of, below
         self._procedures: dict[Indicator, Procedure] = {}
 
     @cached_property
     def tabled(self) -> frozenset[Indicator]:
         """The predicates whose calls are tabled: all that recur without building terms."""
-        return tabled_of(self.clauses)
+        return tabled_of(self.clauses) if self.below is None else self.below.tabled
+
+    def extended(self, inner: Mapping[Indicator, Sequence[Clause]]) -> Code:
+        """With the clauses of the goals inside a question; they stand for goals, and nothing else needs them."""
+        finite = set(self.finite)
+        if finite:
+            for _ in inner:  # a goal inside a goal may come after it
+                finite.update(i for i, found in inner.items() if all(_is_finite(clause, finite) for clause in found))
+        return Code({**self.clauses, **inner}, finite, self.size_of, self)
 
     def procedure(self, indicator: Indicator) -> Procedure:
         """The compiled clauses of a predicate."""
+        if self.below is not None and indicator in self.below.clauses:
+            return self.below.procedure(indicator)
         found = self._procedures.get(indicator)
         if found is None:
             clauses = [CompiledClause(clause) for clause in self.clauses[indicator]]
@@ -82,6 +96,10 @@ class Code:
         return ordered(clause.body, known, self.size_of)
 
 
+def _is_finite(clause: Clause, finite: Collection[Indicator]) -> bool:
+    return is_range_restricted(clause) and all(x.is_comparison or x.needed in finite for x in clause.body)
+
+
 class Links(dict[Indicator, Link]):
     """The link of every predicate a search comes to; a program's own definition wins over a built-in."""
 
@@ -91,6 +109,11 @@ class Links(dict[Indicator, Link]):
         super().__init__()
         self.relations, self.code, self.computed = relations, code, computed
 
+    @cached_property
+    def lookups(self) -> Lookups:
+        """How goals inside goals that ask for stored rows alone are looked up."""
+        return Lookups(self.relations)
+
     def __missing__(self, indicator: Indicator) -> Link:
         found = self[indicator] = self._found(indicator)
         return found
@@ -98,9 +121,7 @@ class Links(dict[Indicator, Link]):
     def _found(self, indicator: Indicator) -> Link:
         relation = self.relations.get(indicator)
         if relation is not None:
-            if relation.undefined is not None:
-                raise NotCarried("undefined rows")
-            return Link(STORED, relation)
+            return Link(STORED if relation.undefined is None else DOUBTFUL, relation)
         if indicator in self.computed:
             return Link(ASKED, self.computed[indicator])
         if indicator in self.code.clauses:

@@ -1,4 +1,7 @@
-"""Resolution in three truth values that knows the built-in predicates, too: each is worked out by itself."""
+"""The executable specification of answers: resolution in three truth values that knows the built-in predicates, too.
+
+Each built-in is worked out by itself. Questions are answered by the machine (`kb.top_down.answering`).
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,7 @@ from dataclasses import dataclass
 
 from casper.kb.errors import BudgetExceeded, ProgramError, Undefined
 from casper.kb.terms.builtins import BUILTINS
-from casper.kb.terms.clauses import Indicator, Literal
+from casper.kb.terms.clauses import CALLING, Indicator, Literal
 from casper.kb.terms.syntax import COMPARISONS, term_text
 from casper.kb.terms.terms import NIL, Compound, Term, Variable, list_items, predication
 from casper.kb.terms.unification import Bindings, substitute, unify
@@ -51,6 +54,8 @@ class PlainSolver(Solver):
         elif literal.atom.functor in ("call", "not", "maplist"):
             atom: Compound = substitute(literal.atom, bindings)
             yield from self._solve(list(self._goals(atom, literal)), bindings, depth + 1)
+        elif literal.atom.indicator in CALLING:
+            raise _not_followed(literal.atom)
         else:
             yield from self._computed_by_itself(literal, bindings)
 

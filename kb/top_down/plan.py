@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from casper.kb.terms.clauses import Indicator, Literal
-from casper.kb.terms.terms import Variable
+from casper.kb.terms.terms import Compound, Variable
 from casper.kb.terms.unification import variables_of
 from casper.kb.text.writer import literal_text
-from casper.kb.top_down.compiled.code import NotCarried, Procedure
-from casper.kb.top_down.linking import ASKED, BUILT_IN, CONTROLLED, STORED, TABLED, Code, Link, Links
+from casper.kb.top_down.compiled.code import Procedure
+from casper.kb.top_down.linking import ASKED, BUILT_IN, CONTROLLED, DOUBTFUL, STORED, TABLED, Code, Link, Links
 from casper.kb.top_down.planning import binds, is_bound
+
+if TYPE_CHECKING:
+    from casper.kb.relations.tables.joins import Join
 
 Asked: TypeAlias = tuple[Indicator, tuple[bool, ...]]  # a predicate, and which of its arguments are known
 
@@ -39,18 +42,29 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """The steps of every alternative, in the order in which they are taken; ``str()`` is one a line."""
+    """The steps of every alternative, in the order in which they are taken; ``str()`` is one a line.
+
+    ``columns`` says of a question with many answers whether they are joined on numpy columns, or what is in the way.
+    """
 
     steps: tuple[Step, ...]
+    columns: str = ""
 
     def __str__(self) -> str:
-        return "\n".join(map(str, self.steps))
+        return "\n".join([*map(str, self.steps), *filter(None, [self.columns])])
 
 
-def plan_of(bodies: Iterable[Sequence[Literal]], links: Links) -> Plan:
+def on_columns(join: Join | str | None) -> str:
+    """How a question is joined on columns, or what is in the way; nothing of one that has few answers."""
+    if join is None or isinstance(join, str):
+        return f"row by row, not on columns: {join}" if join else ""
+    return f"many answers, so on columns: {', '.join(map(literal_text, join.body))}"
+
+
+def plan_of(bodies: Iterable[Sequence[Literal]], links: Links, columns: str = "") -> Plan:
     """The plan of a question's alternatives."""
     told: set[Asked] = set()
-    return Plan(tuple(step for body in bodies for step in _body(body, set(), links, 0, told)))
+    return Plan(tuple(step for body in bodies for step in _body(body, set(), links, 0, told)), columns)
 
 
 def _body(
@@ -62,21 +76,25 @@ def _body(
         if literal.is_comparison:
             yield Step(literal_text(literal), "compared, once its variables are known", (), depth)
         elif literal.is_aggregate:
-            yield Step(literal_text(literal), "worked out of all answers, by plain resolution", (), depth)
+            yield Step(literal_text(literal), "worked out of all answers", (), depth)
+            inner: Compound = literal.atom[2]
+            yield from _inside(inner, tuple(is_bound(arg, bound) for arg in inner.args), links, depth, told)
         else:
-            try:
-                link = links[literal.atom.indicator]
-            except NotCarried as reason:
-                yield Step(literal_text(literal), f"plain resolution, because of {reason}", (), depth)
-                bound |= binds(literal, bound)
-                continue
+            link = links[literal.atom.indicator]
             method, index = _method(link, literal, pattern, links.code)
             method = f"nothing proves it: {method}" if literal.negated else method
             yield Step(literal_text(literal), method, index, depth)
-            if isinstance(link.what, Procedure) and (literal.atom.indicator, pattern) not in told:
-                told.add((literal.atom.indicator, pattern))
-                yield from _rules(literal.atom.indicator, pattern, links, depth + 1, told)
+            yield from _inside(literal.atom, pattern, links, depth, told)
         bound |= binds(literal, bound)
+
+
+def _inside(
+    atom: Compound, pattern: tuple[bool, ...], links: Links, depth: int, told: set[Asked]
+) -> Iterator[Step]:
+    """The rules behind a condition, once."""
+    if isinstance(links[atom.indicator].what, Procedure) and (atom.indicator, pattern) not in told:
+        told.add((atom.indicator, pattern))
+        yield from _rules(atom.indicator, pattern, links, depth + 1, told)
 
 
 def _rules(
@@ -96,7 +114,7 @@ def _method(link: Link, literal: Literal, pattern: tuple[bool, ...], code: Code)
     """How a predicate is answered, in words, and the columns it is looked up by."""
     name, arity = literal.atom.indicator
     shown = f"{name.rpartition(': ')[2]}/{arity}"
-    if link.how == STORED:
+    if link.how in (STORED, DOUBTFUL):
         return _look_up(shown, pattern, len(link.what))
     if link.how == BUILT_IN or link.how == CONTROLLED:
         return "built-in", ()

@@ -33,6 +33,8 @@ def estimate(literal: Literal, bound: set[Variable], size_of: SizeOf) -> float:
         return 0.0 if right or (left and literal.atom[0] == "=") else float("inf")
     if literal.is_comparison or literal.negated:
         return 0.0 if all(v in bound or (literal.negated and v.is_anonymous) for v in variables) else float("inf")
+    if literal.is_aggregate:  # what it shares with other conditions has to be known; the rest is its own
+        return 0.5 if all(v in bound for v in literal.strict_variables()) else float("inf")
     args = literal.atom.args
     open_ = sum(not is_bound(arg, bound) for arg in args)
     return float(size_of(literal.atom.indicator)) ** (open_ / len(args)) if open_ else 0.5
@@ -49,4 +51,6 @@ def binds(literal: Literal, bound: set[Variable]) -> set[Variable]:
         return set()
     if literal.is_comparison and not any(is_bound(part, bound) for part in literal.atom.args):
         return set()
+    if literal.is_aggregate:
+        return literal.binds()
     return set(literal.variables())

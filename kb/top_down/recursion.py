@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from casper.kb.terms.builtins import BUILTINS
+from casper.kb.program.strata import needs
+from casper.kb.terms.builtins import BUILTINS, KINDS
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import is_ground
@@ -12,6 +13,7 @@ from casper.kb.terms.unification import is_ground
 Table = Mapping[Indicator, Sequence[Clause]]
 _CHOOSING = frozenset(  # built-ins that give nothing but what they are given
     {("member", 2), ("memberchk", 2), ("last", 2), ("nth0", 3), ("nth1", 3), ("true", 0), ("fail", 0), ("false", 0)}
+    | {(kind, 1) for kind in KINDS}
 )
 
 
@@ -20,7 +22,7 @@ def tabled_of(clauses: Table) -> frozenset[Indicator]:
     found: set[Indicator] = set()
     for group in groups(clauses):
         own = [clause for indicator in group for clause in clauses[indicator] if clause.body]
-        recurs = any(x.atom.indicator in group for clause in own for x in clause.body if not x.is_comparison)
+        recurs = any(indicator in group for indicator in needs(own))
         if recurs and not any(_builds(clause, group, clauses) for clause in own):
             found.update(group)
     return frozenset(found)
@@ -46,22 +48,20 @@ def _has_open_term(atom: Compound) -> bool:
 
 def groups(clauses: Table) -> Iterator[frozenset[Indicator]]:
     """The strongly connected groups of predicates (Tarjan's, on a stack of its own)."""
-    needs = {
-        i: [x.atom.indicator for c in found for x in c.body if not x.is_comparison] for i, found in clauses.items()
-    }
+    needed_by = {indicator: list(needs(found)) for indicator, found in clauses.items()}
     number: dict[Indicator, int] = {}
     low: dict[Indicator, int] = {}
     open_: dict[Indicator, None] = {}
     for root in clauses:
         path: list[tuple[Indicator, Iterator[Indicator]]] = []
         if root not in number:
-            _enter(root, needs, number, low, open_, path)
+            _enter(root, needed_by, number, low, open_, path)
         while path:
             indicator, rest = path[-1]
             following = next((i for i in rest if i in clauses), None)
             if following is not None:
                 if following not in number:
-                    _enter(following, needs, number, low, open_, path)
+                    _enter(following, needed_by, number, low, open_, path)
                 elif following in open_:
                     low[indicator] = min(low[indicator], number[following])
                 continue
@@ -74,7 +74,7 @@ def groups(clauses: Table) -> Iterator[frozenset[Indicator]]:
 
 def _enter(
     indicator: Indicator,
-    needs: Mapping[Indicator, list[Indicator]],
+    needed_by: Mapping[Indicator, list[Indicator]],
     number: dict[Indicator, int],
     low: dict[Indicator, int],
     open_: dict[Indicator, None],
@@ -82,7 +82,7 @@ def _enter(
 ) -> None:
     number[indicator] = low[indicator] = len(number)
     open_[indicator] = None
-    path.append((indicator, iter(needs[indicator])))
+    path.append((indicator, iter(needed_by[indicator])))
 
 
 def _closed(indicator: Indicator, open_: dict[Indicator, None]) -> Iterator[Indicator]:

@@ -46,7 +46,6 @@ class Search:
     deadline: float | None = None  # of time.monotonic()
     cancelled: Callable[[], bool] | None = None  # asked now and then; true stops the search
     code: Code | None = None
-    settled: bool = False  # whether a condition without a value ends the search by what its evaluation raised
 
     def solve(self, body: Sequence[Literal], bindings: Bindings | None = None) -> Iterator[Bindings]:
         """Every extension of the bindings under which the whole body certainly holds, lazily.
@@ -66,58 +65,58 @@ class Search:
             yield tuple([values[column] for column in columns])
 
     def outcomes(
-        self, body: Sequence[Literal], bindings: Bindings | None = None
-    ) -> Iterator[tuple[Bindings | None, bool]]:
-        """Every extension of the bindings, with whether it certainly holds (else: undefined).
+        self, body: Sequence[Literal], bindings: Bindings | None = None, doubt: str = ""
+    ) -> Iterator[tuple[Bindings, str]]:
+        """Every extension of the bindings, with what makes it doubtful (``""``: it certainly holds).
 
-        A last outcome without bindings says that an evaluation failed: what is not there may be undefined. Raises as
-        `solve` does, but for `Undefined`.
+        Raises as `solve` does, but for `Undefined`.
         """
         given, names = bindings or {}, names_of(body)
-        for values, certain in self.found(body, given):
-            yield None if values is None else _extended(given, names, values), certain
+        for values, reason in self.found(body, given, doubt):
+            yield _extended(given, names, values), reason
 
-    def _certain(self, found: Iterator[tuple[Row | None, bool]]) -> Iterator[Row]:
-        uncertain: set[Hashable] = set()  # undefined that way; another may make it certain
+    def _certain(self, found: Iterator[tuple[Row, str]]) -> Iterator[Row]:
+        doubts: dict[Hashable, str] = {}  # undefined that way; another may make it certain
         settled: list[Row] = []
-        doubtful = False
-        for values, certain in found:
-            if values is None:
-                doubtful = True
-            elif certain:
+        for values, doubt in found:
+            if doubt:
+                doubts.setdefault(variant(values), doubt)
+            else:
                 settled.append(values)
                 yield values
-            else:
-                uncertain.add(variant(values))
-        if doubtful or (uncertain and not uncertain <= set(map(variant, settled))):
-            raise Undefined("whether this holds is neither true nor false: it rests on something undefined")
+        if doubts:
+            known = set(map(variant, settled))
+            for key, doubt in doubts.items():
+                if key not in known:
+                    raise Undefined(f"whether this holds is neither true nor false: {doubt}")
 
-    def found(self, body: Sequence[Literal], given: Bindings) -> Iterator[tuple[Row | None, bool]]:
-        """The values of the body's variables, in their order, in every answer, with whether it is certain.
+    def found(self, body: Sequence[Literal], given: Bindings, doubt: str = "") -> Iterator[tuple[Row, str]]:
+        """The values of the body's variables, in their order, in every answer, with what makes it doubtful.
 
-        None instead of values says that an evaluation failed. Raises as `outcomes` does.
+        Raises as `outcomes` does.
         """
         names = names_of(body)
         links = Links(self.relations, self._compiled, self.computed)
         slots: Slots = {variable: at for at, variable in enumerate(names, 1)}
         cells: dict[Variable, Cell] = {}
         frame: Frame = [0, *(inward(substitute(name, given), cells) for name in names)]
-        machine = Machine(links, self.meter(body), self.floundering_fails, self.settled)
+        machine = Machine(links, self.meter(body), self.floundering_fails)
         stop = Node(STOP, ("", 0), _nothing, None, ROOT)
         chain = linked([*(node_of(literal, slots, given) for literal in body), stop])
         own = {id(cell): variable for variable, cell in cells.items()}
         try:
-            for answer, certain in machine.answers(chain, frame):
+            for answer, reason in machine.answers(chain, frame, doubt):
                 values = tuple(map(deref, answer[1:]))
                 if not all(map(_PLAIN.__contains__, map(type, values))):
                     holes = _named(names, given, answer, own, frame)
                     values = tuple([freeze(value, holes, Compound) for value in values])
                     self.steps += len(holes) // 4  # an answer with many open parts is work, too
-                yield values, certain
+                yield values, reason
         except RecursionError:
             raise BudgetExceeded("the search met a term that is nested too deeply: the answer is unknown") from None
-        if machine.doubtful:
-            yield None, False
+        except MemoryError:
+            machine.engines.clear()
+            raise self.stopped(body, "all the memory there is") from None
 
     def answers(self, literal: Literal, bindings: Bindings, depth: int = 0) -> Iterator[Bindings]:
         """Every extension of the bindings under which one condition holds; raises as `solve` does."""

@@ -9,7 +9,7 @@ Every resolution step is counted; a search that outlives its budget raises inste
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Self, TypeAlias
 
@@ -24,6 +24,7 @@ from casper.kb.terms.unknown import DOUBT, opened
 from casper.kb.terms.values.aggregates import aggregate
 from casper.kb.terms.values.arithmetic import EvaluationFailed
 from casper.kb.top_down.compiled.cells import serials as fresh_numbers
+from casper.kb.top_down.compiled.cells import variant
 
 Computed: TypeAlias = Callable[[Compound], Iterator[Compound]]
 BETWEEN_LOOKS = 64  # steps between two looks at the clock
@@ -128,23 +129,22 @@ class Solver:
 
     def _aggregate(self, literal: Literal, bindings: Bindings, depth: int) -> Iterator[Bindings]:
         what, atom, result = literal.atom.args
-        doubt = bindings.get(DOUBT)
-        clean = {v: value for v, value in bindings.items() if v is not DOUBT} if doubt else bindings
-        answers: dict[Compound, Bindings] = {}
-        doubts: dict[Compound, str] = {}
+        clean = {v: value for v, value in bindings.items() if v is not DOUBT}
+        answers: dict[Hashable, Bindings] = {}
+        doubts: dict[Hashable, str] = {}
         for found in self.answers(Literal(atom), clean, depth + 1):
-            instance = substitute(atom, found)
+            instance = variant(substitute(atom, found).args)
             if DOUBT in found:
                 doubts.setdefault(instance, found[DOUBT])
             else:
                 answers.setdefault(instance, found)
-        doubt = doubt or next((reason for instance, reason in doubts.items() if instance not in answers), None)
+        doubt = next((reason for instance, reason in doubts.items() if instance not in answers), None)
         try:
             value = aggregate(what, list(answers.values()))
         except EvaluationFailed as failure:
             doubt = doubt or failure.sentence
         if doubt:
-            yield {**bindings, DOUBT: doubt}
+            yield {**bindings, DOUBT: bindings.get(DOUBT, doubt)}
         elif value is not None and (extended := unify(result, value, bindings)) is not None:
             yield extended
 

@@ -145,10 +145,11 @@ def test_a_statement_too_far_to_search_for_is_looked_up_in_what_is_listed_then(m
     assert base.ask("path(0, 700)")
 
 
-def test_a_plan_says_what_goes_to_plain_resolution():
-    base = KnowledgeBase.from_text("p :- \\+ q. q :- \\+ p. n(a). r(X, _) :- n(X), p.")
-    assert "p   [plain resolution, because of undefined rows]" in str(base.plan("r(X, 1)"))
-    assert "[worked out of all answers, by plain resolution]" in str(base.plan("aggregate_all(count, n(_), N)"))
+def test_a_plan_says_what_is_worked_out_of_all_answers():
+    base = KnowledgeBase.from_text("n(a). r(X, _) :- n(X).")
+    first, second, third = base.plan("aggregate_all(count, r(_, 1), N)").steps
+    assert first.method == "worked out of all answers"
+    assert (second.depth, third.depth) == (1, 2) and third.condition == "n(X)"
 
 
 def test_a_large_base_that_needs_all_three_truth_values_has_them():

@@ -25,7 +25,7 @@ def settle_columns(
     interner: Interner,
     stratum: frozenset[Indicator],
     rules: list[Clause],
-    check: Callable[[int], None],
+    check: Callable[..., None],
     round_: int,
 ) -> tuple[int, dict[Indicator, list[Row]]]:
     """Give the tables of a circle the rows that hold; the last round's number, and the undefined rows.
@@ -44,7 +44,7 @@ def settle_columns(
     denied: list[tuple[Ids, Ids]] = []
     count = 0
     for rule, positive in zip(rules, possible):
-        frame, size = solver.solutions(positive.body)
+        frame, size = solver.solutions(positive.body, rule.head.indicator)
         if not size:
             continue
         numbers = np.arange(count, count + size)

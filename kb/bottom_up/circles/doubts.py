@@ -34,10 +34,12 @@ def add_undefined(
     Raises:
         BudgetExceeded: there are too many rows.
     """
-    _Doubts(list(rules), stratum, relations, room).run(failures)
+    Doubts(list(rules), stratum, relations, room).run(failures)
 
 
-class _Doubts:
+class Doubts:
+    """Follows what is undefined through the rules of a stratum; `found` is told of every row it may give."""
+
     def __init__(
         self, rules: list[Clause], stratum: frozenset[Indicator], relations: Mapping[Indicator, Relation], room: Room
     ) -> None:
@@ -71,9 +73,10 @@ class _Doubts:
 
     def _follow(self, rule: Clause, bindings: Bindings) -> None:
         for solution in list(self.solver.possible(rule.body, bindings)):  # rows are added meanwhile
-            self._found(rule.head.indicator, tuple([closed(substitute(arg, solution)) for arg in rule.head.args]))
+            self.found(rule.head.indicator, tuple([closed(substitute(arg, solution)) for arg in rule.head.args]))
 
-    def _found(self, indicator: Indicator, row: Row) -> None:
+    def found(self, indicator: Indicator, row: Row) -> None:
+        """A row that a rule gives if something undefined holds: undefined, unless it holds anyway."""
         relation = self.relations[indicator]
         if row in relation:
             return

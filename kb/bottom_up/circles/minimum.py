@@ -2,24 +2,30 @@
 
 That is `:- table path(_, _, min).` as in SWI-Prolog. It means something only where better premises never make worse
 rows; so the rows that are left are derived once more from one another alone, which gives them their rounds. Where one
-of them has lost what it rests on, or where something cannot be evaluated, all of the stratum is undefined.
+of them has lost what it rests on, all of the stratum is undefined. Where something cannot be evaluated, or rests on
+what is undefined, the keys are undefined that can be reached from there. A large stratum is worked out on columns
+(`least_columns`), where its rules allow.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
+from casper.kb.bottom_up.circles.doubts import Doubts
 from casper.kb.bottom_up.join import Join
 from casper.kb.bottom_up.size import Room
 from casper.kb.bottom_up.steps import Emit
 from casper.kb.bottom_up.stratum import Stratum
-from casper.kb.errors import BudgetExceeded
+from casper.kb.errors import BudgetExceeded, NotOnColumns
 from casper.kb.program.declarations import Moded
 from casper.kb.program.program import Program
+from casper.kb.program.strata import needs
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.relations.undefined import UndefinedRows, are_settled
 from casper.kb.terms.clauses import Clause, Indicator
-from casper.kb.terms.unknown import UNKNOWN
+from casper.kb.terms.unknown import UNKNOWN, may_equal
+
+COLUMNS_FROM = 2_000  # rows below the stratum from which it is worked out on columns, where that can be
 
 
 def least_rows(
@@ -30,19 +36,60 @@ def least_rows(
     Raises:
         BudgetExceeded: it improves without end.
     """
+    needed = set(needs(rule for i in stratum for rule in program.rules[i])) - stratum
+    if sum(len(relations[i]) for i in needed) >= COLUMNS_FROM and are_settled(relations, needed):
+        from casper.kb.bottom_up.circles.least_columns import least_on_columns  # numpy for large programs only
+
+        try:
+            return least_on_columns(program, stratum, relations, room, round_)
+        except NotOnColumns:
+            pass
     search = _Search(program, stratum, relations, room)
     search.run(0)
     final = {i: Relation(*i, search.best[i].values()) for i in stratum}
-    needed = {x.needed for rule in search.rules for x in rule.body if x.needed is not None and x.needed not in stratum}
+    affected: dict[Indicator, UndefinedRows] = {}
+    if search.failures or not are_settled(relations, needed):
+        affected = _affected(search, {**relations, **final})
     for indicator in stratum:
         relations[indicator] = Relation(*indicator, (r for r in program.given[indicator] if r in final[indicator]))
     last = Within(program, stratum, relations, Room(room.most_rows, relations), final).run(round_)
     complete = all(len(relations[i]) == len(final[i]) for i in stratum)
-    if search.failures or not complete or not are_settled(relations, needed):
+    for indicator, undefined in affected.items() if complete else ():
+        relations[indicator].undefined = undefined
+    if not complete:
         for indicator in stratum:
             relations[indicator] = Relation(*indicator)
             relations[indicator].undefined = UndefinedRows(*indicator, [(UNKNOWN,) * indicator[1]])
     return last
+
+
+def _affected(search: _Search, final: dict[Indicator, Relation]) -> dict[Indicator, UndefinedRows]:
+    """The keys whose best row may rest on something undefined, each with an unknown value; ``final`` loses their rows.
+
+    Every instance of a rule whose head has another key has premises of other keys alone, and is settled. So the rows
+    of other keys are what the stratum would have without these, whatever they turn out to be.
+    """
+    doubts = _AffectedKeys(search.rules, search.stratum, final, search.room)
+    doubts.modes = search.modes
+    doubts.run(search.failures)
+    return {i: found for i in search.stratum if isinstance(found := final[i].undefined, UndefinedRows)}
+
+
+class _AffectedKeys(Doubts):
+    """Follows what is undefined from key to key."""
+
+    modes: Mapping[Indicator, Moded]
+
+    def found(self, indicator: Indicator, row: Row) -> None:
+        """The row's key is affected; what stood there goes."""
+        at, relation = self.modes[indicator].at, self.relations[indicator]
+        affected = (*row[:at], UNKNOWN, *row[at + 1 :])
+        if relation.undefined is None:
+            relation.undefined = UndefinedRows(*indicator)
+        if relation.undefined.add(affected):
+            self.fresh.append((indicator, affected))
+            for other in [r for r in relation if all(map(may_equal, affected, r))]:
+                relation.remove(other)
 
 
 class Within(Stratum):
@@ -106,12 +153,15 @@ class _Search(Stratum):
     def _keeper(self, indicator: Indicator) -> Emit:
         at, is_better = self.modes[indicator].at, self.modes[indicator].is_better
         best, better = self.best[indicator], self.better.setdefault(indicator, {})
+        most = self.room.left + len(best)
 
         def emit(row: Row) -> None:
             key = row[:at] + row[at + 1 :]
             old = better.get(key) or best.get(key)
             if old is None or is_better(row[at], old[at]):
                 better[key] = row
+                if len(better) > most:  # within a round, too
+                    self.room.take(len(better))
 
         return emit
 

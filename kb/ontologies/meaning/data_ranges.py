@@ -104,7 +104,7 @@ def _of_type(datatype: str, value: Term, scope: Scope, on: Part | None) -> Body:
         return _bounds(datatype, value)
     if is_number(datatype):
         if datatype.removeprefix(XSD) not in INTEGERS:
-            return (literal("=<", value, value),)  # of what is no number this is undefined, never a yes
+            return (literal("number", value),)
         return (*_integer_test(value, scope, on), *_bounds(datatype, value))
     if is_string(datatype):
         if holds_and_fails("atom(dog)", "atom(7)"):
@@ -162,7 +162,7 @@ def _not_of_type(datatype: str, value: Term, scope: Scope, complete: bool) -> li
 
 
 def _no_number(datatype: str, value: Term, scope: Scope, complete: bool) -> list[Body]:
-    found: list[Body] = [(Literal(Compound(("=<", value, value)), negated=True),)]
+    found: list[Body] = [(Literal(Compound(("number", value)), negated=True),)]
     low, high = INTEGERS.get(datatype.removeprefix(XSD), (None, None))
     if datatype.removeprefix(XSD) in INTEGERS:
         if holds_and_fails("integer(7)", "integer(0.5)"):

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from casper.kb.errors import CasperError
+from casper.kb.errors import BudgetExceeded, CasperError
 from casper.kb.relations.column_relation import ColumnRelation
 from casper.kb.relations.columns import Ids
+from casper.kb.relations.constants import typed as typed
 from casper.kb.relations.relation import Relation
+from casper.kb.relations.tables.joins import Join, Solutions
 from casper.kb.relations.tables.libraries import needed
+from casper.kb.relations.tables.masks import Values
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import is_ground
 
@@ -22,7 +25,8 @@ if TYPE_CHECKING:
     import pyarrow
 
 Column = NDArray[Any]
-_EXACT = 1 << 53  # whole numbers up to which a float has the very value
+MOST_VALUES = 30_000_000  # in one table: 240 MB as numbers
+_DEARER = 10  # times what a value takes in a Python row
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,9 +78,56 @@ def _arrow_values(name: str, column: Column) -> Column:
 
 
 def of_answers(names: Sequence[str], answers: Iterable[Mapping[str, Term]]) -> Answers:
-    """Answers one by one as columns; a part that some answer leaves open is a `Variable`."""
-    rows = [tuple([answer.get(name, Variable(name)) for name in names]) for answer in answers]
-    return _of_rows(names, list(dict.fromkeys(rows)))
+    """Answers one by one as columns; a part that some answer leaves open is a `Variable`.
+
+    Raises:
+        BudgetExceeded: there are too many.
+    """
+    most = MOST_VALUES // (_DEARER * max(len(names), 1))
+    rows: dict[tuple[Term, ...], None] = {}
+    for answer in answers:
+        rows[tuple([answer.get(name, Variable(name)) for name in names])] = None
+        if len(rows) > most:
+            raise _too_many(most)
+    return _of_rows(names, list(rows))
+
+
+def of_join(join: Join, look: Callable[[], object]) -> Answers:
+    """The answers to a question that is worked out on columns; ``look`` is called now and then.
+
+    Raises:
+        NotOnColumns: it cannot be. BudgetExceeded: there are too many answers.
+    """
+    solutions, size = Solutions(join), 0
+    blocks: list[list[Any]] = []  # of columns
+    most = MOST_VALUES // len(join.names)
+    for columns in solutions:
+        look()
+        size += len(columns[0].array if isinstance(columns[0], Values) else columns[0])
+        if size > most:
+            raise _too_many(most)
+        blocks.append([*columns])
+    found: dict[str, Column] = {}
+    for at, name in enumerate(join.names):
+        parts = [block[at] for block in blocks]
+        for block in blocks:
+            block[at] = None  # each column is let go as soon as the answers have it
+        found[name.name] = _joined(parts, solutions)
+    return Answers(found, size)
+
+
+def _joined(parts: list[Any], solutions: Solutions) -> Column:
+    """The blocks of one column as an array."""
+    if not parts:
+        return np.empty(0, dtype=object)
+    if isinstance(parts[0], Values):
+        return np.concatenate([part.array for part in parts])
+    return solutions.constants.typed(np.concatenate(parts))
+
+
+def _too_many(most: int) -> BudgetExceeded:
+    hint = "kb.query(…) gives them one by one"
+    return BudgetExceeded(f"there are more than {most:,} answers, too many for one table; {hint}, or ask for less")
 
 
 def of_stored(atom: Compound, relation: Relation) -> Answers | None:
@@ -151,14 +202,3 @@ def _decoded(column: Ids, constants: Sequence[Term]) -> Column:
 def _of_rows(names: Sequence[str], rows: Sequence[tuple[Term, ...]]) -> Answers:
     values = zip(*rows) if rows else [()] * len(names)
     return Answers({name: typed(column) for name, column in zip(names, values)}, len(rows))
-
-
-def typed(values: Sequence[Term]) -> Column:
-    """An array of the values with the narrowest type that keeps every one of them."""
-    kinds = set(map(type, values))
-    whole = [value for value in values if type(value) is int] if kinds <= {int, float} else []
-    if kinds == {int} and all(-(1 << 63) <= value < 1 << 63 for value in whole):
-        return np.array(values, np.int64)
-    if kinds in ({float}, {int, float}) and all(abs(value) <= _EXACT for value in whole):
-        return np.array(values, np.float64)
-    return np.fromiter(values, dtype=object, count=len(values))

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from casper.kb.errors import Place, ProgramError
+from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, make_list
 from casper.kb.terms.unification import Bindings, substitute
 from casper.kb.terms.values.arithmetic import Number, evaluate
@@ -15,6 +17,17 @@ WAYS = (("sum", 1), ("min", 1), ("max", 1), ("min", 2), ("max", 2), ("bag", 1), 
 def is_way(what: Term) -> bool:
     """Whether a term says how answers are put together: ``count``, ``sum(E)`` …"""
     return what == "count" or (isinstance(what, Compound) and what.indicator in WAYS)
+
+
+def check_way(what: Term, place: Place | None) -> None:
+    """Refuse what is no way to put answers together.
+
+    Raises:
+        ProgramError: with those that there are.
+    """
+    if not is_way(what):
+        ways = "count, sum(E), min(E), max(E), min(E, W), max(E, W), bag(T) or set(T)"
+        raise ProgramError(f"aggregate_all cannot work out {term_text(what)}; write {ways}", place)
 
 
 def aggregate(what: Term, answers: Sequence[Bindings]) -> Term | None:

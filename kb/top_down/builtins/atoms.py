@@ -9,7 +9,7 @@ from casper.kb.terms.atoms import number_text
 from casper.kb.top_down.builtins.builtin import Builtin, Outcome, Values, is_known, no_meaning
 
 
-def _text(name: str, term: Any) -> str:
+def text_of(name: str, term: Any) -> str:
     """The text of an atom or a number.
 
     Raises:
@@ -25,21 +25,21 @@ def _text(name: str, term: Any) -> str:
 def _length(atom: Any, number: Any) -> Outcome:
     if is_known(number) and type(number) is not int:
         raise no_meaning("atom_length/2", "a whole number", number)
-    return None, len(_text("atom_length/2", atom))
+    return None, len(text_of("atom_length/2", atom))
 
 
 def _concat(left: Any, right: Any, whole: Any) -> Outcome:
     if is_known(left) and is_known(right):
-        joined = _text("atom_concat/3", left) + _text("atom_concat/3", right)
+        joined = text_of("atom_concat/3", left) + text_of("atom_concat/3", right)
         if not is_known(whole):
             return None, None, joined
-        return (None, None, None) if joined == _text("atom_concat/3", whole) else None
-    text = _text("atom_concat/3", whole)
+        return (None, None, None) if joined == text_of("atom_concat/3", whole) else None
+    text = text_of("atom_concat/3", whole)
     if is_known(left):
-        start = _text("atom_concat/3", left)
+        start = text_of("atom_concat/3", left)
         return (None, text[len(start) :], None) if text.startswith(start) else None
     if is_known(right):
-        end = _text("atom_concat/3", right)
+        end = text_of("atom_concat/3", right)
         return (text[: len(text) - len(end)], None, None) if text.endswith(end) else None
     return _parts(text)
 

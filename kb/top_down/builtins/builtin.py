@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 
 from casper.kb.errors import Undefined
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound
+from casper.kb.terms.terms import Compound, Rigid
 from casper.kb.top_down.compiled.cells import deref, freeze, frozen_is_ground
 
 Values: TypeAlias = tuple[Any, ...]  # one for each argument; None says nothing about it
@@ -37,7 +37,7 @@ def always(*_: Any) -> bool:
 
 def is_known(term: Any) -> bool:
     """Whether a walked term is more than an open variable."""
-    return type(term) is not list
+    return type(term) is not list and type(term) is not Rigid
 
 
 def is_ground(term: Any) -> bool:

@@ -44,6 +44,18 @@ each([A | As], [B | Bs], G) :- call(G, A, B), each(As, Bs, G).
 maplist(G, L, M, N) :- each(L, M, N, G).
 each([], [], [], _).
 each([A | As], [B | Bs], [C | Cs], G) :- call(G, A, B, C), each(As, Bs, Cs, G).
+include(G, L, In) :- parted(L, G, In, _).
+exclude(G, L, Out) :- parted(L, G, _, Out).
+partition(G, L, In, Out) :- parted(L, G, In, Out).
+parted([], _, [], []).
+parted([A | As], G, [A | In], Out) :- call(G, A), parted(As, G, In, Out).
+parted([A | As], G, In, [A | Out]) :- \\+ call(G, A), parted(As, G, In, Out).
+foldl(G, L, V, W) :- folded(L, G, V, W).
+folded([], _, V, V).
+folded([A | As], G, V, W) :- call(G, A, V, U), folded(As, G, U, W).
+foldl(G, L, M, V, W) :- folded(L, M, G, V, W).
+folded([], [], _, V, V).
+folded([A | As], [B | Bs], G, V, W) :- call(G, A, B, V, U), folded(As, Bs, G, U, W).
 """
 _OWN = "library: "  # in front of the name of what is the library's own
 

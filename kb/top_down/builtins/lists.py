@@ -133,6 +133,7 @@ LISTS = {
     ("sort", 2): Builtin(_sorted, _proper_and_ground),
     ("msort", 2): Builtin(_msorted, _proper_and_ground),
     ("sum_list", 2): Builtin(_sum, _proper_and_ground),
+    ("sumlist", 2): Builtin(_sum, _proper_and_ground),
     ("min_list", 2): Builtin(_least, _proper_and_ground),
     ("max_list", 2): Builtin(_greatest, _proper_and_ground),
     ("memberchk", 2): Builtin(_memberchk, _ends),

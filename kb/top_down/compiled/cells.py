@@ -12,13 +12,15 @@ from collections.abc import Hashable, Iterable
 from itertools import count
 from typing import Any, TypeAlias
 
-from casper.kb.terms.terms import Compound, Term, Variable
+from casper.kb.terms.terms import Compound, Rigid, Term, Variable
 
 Cell: TypeAlias = list[Any]
 UNBOUND: Any = type("Unbound", (), {"__slots__": (), "__repr__": lambda _: "unbound"})()
 NO_TERM: Any = type("NoTerm", (), {"__slots__": (), "__eq__": lambda a, b: False, "__hash__": lambda _: 0})()
 serials = count(1)  # shared by all searches: one may hand its variables to another, through valid/1
-_STRUCTURE, _HOLE = object(), object()
+_STRUCTURE, _ITEM, _HOLE = object(), object(), object()
+_CONSTANTS = frozenset((str, int, float))
+_NOT_GROUND = frozenset((Variable, Rigid, tuple))  # types of what is not ground in a term that is frozen
 
 
 class Trail(list[Cell]):
@@ -112,8 +114,12 @@ def freeze(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]] =
     spine: list[list[Any]] = []  # the last argument is followed in a loop: a list is as deep as it is long
     term = deref(term)
     while type(term) is tuple:
-        spine.append([freeze(p, holes, kind) if type(p) is list or type(p) is tuple else p for p in term[:-1]])
-        term = deref(term[-1])
+        parts = list(term)
+        term = deref(parts.pop())
+        for at, part in enumerate(parts):
+            if type(part) is list or type(part) is tuple:
+                parts[at] = freeze(part, holes, kind)
+        spine.append(parts)
     if type(term) is list:
         found = holes.get(id(term))
         if found is None:
@@ -125,7 +131,7 @@ def freeze(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]] =
             term = Compound(parts)
             continue
         for part in parts:
-            if type(part) is Variable or type(part) is tuple:
+            if type(part) in _NOT_GROUND:
                 term = tuple(parts)
                 break
         else:
@@ -135,7 +141,29 @@ def freeze(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]] =
 
 def frozen_is_ground(term: Term) -> bool:
     """Whether a term that `freeze` gave has no variable."""
-    return type(term) is not Variable and type(term) is not tuple
+    return type(term) not in _NOT_GROUND
+
+
+def has_rigid(term: Term) -> bool:
+    """Whether a term that `freeze` gave has a rigid variable."""
+    waiting = [term]
+    while waiting:
+        term = waiting.pop()
+        if type(term) is Rigid:
+            return True
+        if type(term) is tuple:
+            waiting.extend(term)
+    return False
+
+
+def rigid(term: Term) -> Term:
+    """A term of the rest of the system as the machine takes it, all its variables rigid."""
+    if isinstance(term, Variable):
+        return Rigid(term.name, term.serial)
+    if not isinstance(term, tuple):
+        return term
+    parts = [rigid(part) for part in term]
+    return tuple(parts) if any(type(part) in _NOT_GROUND for part in parts) else Compound(parts)
 
 
 def thaw(term: Term, cells: dict[Variable, Cell], stamp: int = 0) -> Any:
@@ -192,8 +220,14 @@ def variant(terms: Iterable[Term]) -> Hashable:
     while waiting:
         term = waiting.pop()
         if isinstance(term, tuple):
-            key += (_STRUCTURE, len(term))
-            waiting.extend(reversed(term))
+            while isinstance(term, tuple) and len(term) == 3 and term[0] == "." and type(term[1]) in _CONSTANTS:
+                key += (_ITEM, term[1])  # a list of constants, without a way over the stack
+                term = term[2]
+            if isinstance(term, tuple):
+                key += (_STRUCTURE, len(term))
+                waiting.extend(reversed(term))
+            else:
+                waiting.append(term)
         elif type(term) is Variable:
             key += (_HOLE, numbers.setdefault(term, len(numbers)))
         else:

@@ -21,23 +21,19 @@ Build: TypeAlias = Callable[[Frame], Any]
 Slots: TypeAlias = dict[Variable, int]
 Pattern: TypeAlias = tuple[bool, ...]  # which arguments are known
 
-CALL, COMPARE, NEGATE, STOP = range(4)
-
-
-class NotCarried(Exception):
-    """A question came to something that the machine cannot carry; `kb.top_down.answering` says what then."""
+CALL, COMPARE, NEGATE, AGGREGATE, STOP = range(5)
 
 
 class Node:
     """One condition of a body, and what comes after it.
 
     Attributes:
-        kind: CALL, COMPARE (a test on values), NEGATE or STOP (what an answer of a goal goes to).
+        kind: CALL, COMPARE (a test on values), NEGATE, AGGREGATE or STOP (what an answer of a goal goes to).
         key: the predicate; of a comparison, its operator in front.
         build: the arguments' terms, out of a frame.
         next: the node after it, None at the end of the body.
         literal: what it was compiled from.
-        own: slots of a negation's own wildcards, which may stay open.
+        own: slots of a negation's or aggregate's own wildcards, which may stay open.
         sink: of a STOP, whose answer it is.
     """
 
@@ -109,14 +105,18 @@ class CompiledClause:
 
 def node_of(literal: Literal, slots: Slots, bound: Mapping[Variable, object] | None = None) -> Node:
     """A condition compiled; wildcards in ``bound`` are somebody else's by now."""
-    if literal.is_aggregate:
-        raise NotCarried("what is worked out of all answers")
-    kind = COMPARE if literal.is_comparison else NEGATE if literal.negated else CALL
-    node = Node(kind, literal.atom.indicator, builder(literal.atom.args, slots), literal)
-    if kind == NEGATE:
-        wild = (v for v in literal.variables() if v.is_anonymous and v not in (bound or ()))
+    node = Node(_kind(literal), literal.atom.indicator, builder(literal.atom.args, slots), literal)
+    if literal.is_strict:
+        inside = variables_of(literal.atom[2] if literal.is_aggregate else literal.atom)
+        wild = (v for v in inside if v.is_anonymous and v not in (bound or ()))
         node.own = tuple(slots[v] for v in wild)
     return node
+
+
+def _kind(literal: Literal) -> int:
+    if literal.is_comparison:
+        return COMPARE
+    return AGGREGATE if literal.is_aggregate else NEGATE if literal.negated else CALL
 
 
 def builder(args: Sequence[Term], slots: Slots) -> Build:

@@ -1,15 +1,22 @@
-"""Goals that are terms: what ``call/N``, ``not/1`` and ``maplist/N`` are given, taken apart when they are reached."""
+"""Goals that are terms: what ``call/N``, ``not/1`` and ``maplist/N`` are given, taken apart when they are reached.
+
+Control has its reading in logic: ``(C -> T ; E)`` is ``(C, T ; \\+ C, E)``, and ``forall(C, A)`` is ``\\+ (C, \\+ A)``.
+"""
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
+from collections.abc import Sequence
+from typing import Any
 
-from casper.kb.terms.syntax import COMPARISONS
-from casper.kb.top_down.compiled.cells import deref
-from casper.kb.top_down.compiled.code import CALL, COMPARE, NEGATE, Frame, Node
-from casper.kb.top_down.running.strands import BRANCHES, Choice, Cont, Strand
-
-State: TypeAlias = tuple["Node | None", Frame, Cont, bool]  # what is to be done next, and whether that is certain
+from casper.kb.errors import ProgramError, Undefined
+from casper.kb.terms.clauses import AGGREGATE as AGGREGATE_NAME
+from casper.kb.terms.control import CONTROL
+from casper.kb.terms.syntax import COMPARISONS, term_text
+from casper.kb.terms.terms import Compound
+from casper.kb.terms.values.aggregates import check_way
+from casper.kb.top_down.compiled.cells import deref, freeze
+from casper.kb.top_down.compiled.code import AGGREGATE, CALL, COMPARE, NEGATE, Frame, Node
+from casper.kb.top_down.running.strands import BRANCHES, Choice, Cont, State, Strand
 
 
 def _args(frame: Frame) -> tuple[Any, ...]:
@@ -24,32 +31,75 @@ def node_for(kind: int, name: Any, arity: int, following: Node | None = None) ->
 
 
 def joined(goal: Any, extra: tuple[Any, ...]) -> Any:
-    """A goal with more arguments behind its own."""
+    """A goal with more arguments behind its own.
+
+    Raises:
+        ProgramError: it is made of other goals, and takes no more.
+    """
     if not extra:
         return goal
+    if is_control(goal):
+        text = term_text(freeze(goal, {}, Compound))
+        raise ProgramError(f"({text}) is a whole goal and takes no more arguments: write a rule for it, and call that")
     return (*goal, *extra) if isinstance(goal, tuple) else (goal, *extra)
 
 
-def goal_state(goal: Any, cont: Cont, certain: bool, strand: Strand, serial: int) -> State | None:
-    """What is to be done for a known goal; None where it fails outright (a number is no goal).
+def is_control(goal: Any) -> bool:
+    """Whether a goal is made of other goals, and complete."""
+    if not isinstance(goal, tuple):
+        return False
+    return goal[0] in (",", ";") or ((goal[0], len(goal) - 1) in CONTROL and goal[0] not in ("true", "fail", "false"))
 
-    A disjunction makes a choice point of that serial.
+
+def goal_state(goal: Any, cont: Cont, doubt: str, strand: Strand, serial: int) -> State | None:
+    """What is to be done for a known goal. A disjunction makes a choice point of that serial.
+
+    Raises:
+        Undefined: a number is no goal.
+        ProgramError: an aggregate is none.
     """
     goal = deref(goal)
     if not isinstance(goal, (str, tuple)):
-        return None
+        raise Undefined(f"call/1 needs a goal, not {term_text(goal)}")
     name, args = (goal[0], tuple(goal[1:])) if isinstance(goal, tuple) else (goal, ())
     frame: Frame = [0, *args]
-    if name == "," and len(args) > 1:
-        return _conjunction(len(args)), frame, cont, certain
-    if name == ";" and len(args) > 1:
-        strand.choices.append(Choice(len(strand.trail), serial, certain, BRANCHES, None, 1, args, cont))
-        return _CALL_ONE, [0, args[0]], cont, certain
-    if name == "\\+" and len(args) == 1:
-        return node_for(NEGATE, "call", 1), frame, cont, certain
+    if name in (",", "->") and args:
+        return _conjunction(len(args)), frame, cont, doubt
+    if name == ";" and args:
+        strand.push(Choice(len(strand.trail), serial, doubt, BRANCHES, None, 1, _branches(args), cont))
+        return next_branch(None, strand.choices[-1], strand)
+    if (name, len(args)) in (("\\+", 1), ("not", 1)):
+        return _negation(args[0], cont, doubt)
+    if (name, len(args)) == ("forall", 2):
+        return _negation((",", args[0], ("\\+", args[1])), cont, doubt)
+    if (name, len(args)) in (("findall", 3), (AGGREGATE_NAME, 3)):
+        return _aggregate(name, args, cont, doubt)
     if name in COMPARISONS and len(args) == 2:
-        return node_for(COMPARE, name, 2), frame, cont, certain
-    return node_for(CALL, name, len(args)), frame, cont, certain
+        return node_for(COMPARE, name, 2), frame, cont, doubt
+    return node_for(CALL, name, len(args)), frame, cont, doubt
+
+
+def _negation(goal: Any, cont: Cont, doubt: str) -> State:
+    goal = deref(goal)
+    if isinstance(goal, tuple) and not is_control(goal) and goal[0] not in COMPARISONS:
+        return node_for(NEGATE, goal[0], len(goal) - 1), [0, *goal[1:]], cont, doubt
+    return node_for(NEGATE, "call", 1), [0, goal], cont, doubt
+
+
+def _aggregate(name: str, args: tuple[Any, ...], cont: Cont, doubt: str) -> State:
+    what, goal, result = args
+    what = deref(what) if name == AGGREGATE_NAME else ("bag", what)
+    check_way(freeze(what, {}, Compound), None)
+    return node_for(AGGREGATE, name, 3), [0, what, ("call", goal), result], cont, doubt
+
+
+def _branches(args: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The alternatives of a disjunction; what comes after a condition that decides needs that it fails."""
+    first = deref(args[0])
+    if len(args) > 1 and isinstance(first, tuple) and first[0] == "->" and len(first) == 3:
+        otherwise = args[1] if len(args) == 2 else (";", *args[1:])
+        return (",", first[1], first[2]), (",", ("\\+", first[1]), otherwise)
+    return args
 
 
 _CALL_ONE = node_for(CALL, "call", 1)
@@ -69,10 +119,11 @@ def _at(slot: int) -> Any:
     return lambda frame: (frame[slot],)
 
 
-def next_branch(choice: Choice, strand: Strand) -> State:
+def next_branch(_: object, choice: Choice, strand: Strand) -> State:
     """The next alternative of a disjunction."""
-    branch = choice.args[choice.at]
+    branches: Sequence[Any] = choice.args
+    branch = branches[choice.at - 1]
     choice.at += 1
-    if choice.at == len(choice.args):
-        strand.choices.pop()
-    return _CALL_ONE, [0, branch], choice.cont, choice.certain
+    if choice.at > len(branches):
+        strand.pop()
+    return _CALL_ONE, [0, branch], choice.cont, choice.doubt

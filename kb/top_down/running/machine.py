@@ -2,25 +2,26 @@
 
 Goals are worked off depth first; strands of the search take turns (`strands`), so that an endless branch starves no
 other. A call of a tabled predicate is worked out once (`tables`). A negation is a search of its own: where nothing
-proves its goal and nothing is left to try, it holds. A negation that comes back to a goal that is being refuted is
-taken to be *undefined* until something more is known (`engine`), and so is whatever rests on it: answers carry whether
-they are certain. What is found that way agrees with the well-founded semantics.
+proves its goal and nothing is left to try, it holds; so is an aggregate, with all answers of its goal. A negation that
+comes back to a goal that is being refuted is taken to be *undefined* until something more is known (`engine`), and so
+is whatever rests on it, on an undefined row or on a failed evaluation: answers carry what makes them doubtful. What is
+found that way agrees with the well-founded semantics.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any
 
-from casper.kb.top_down.compiled.cells import UNBOUND, freeze, frozen_is_ground, undo, unify
-from casper.kb.top_down.compiled.code import CALL, COMPARE, NEGATE, Frame, Node
-from casper.kb.top_down.linking import STORED, TABLED, Link, Links
-from casper.kb.top_down.running.calls import NESTED, negated, retried, special, waiting
+from casper.kb.top_down.compiled.cells import freeze, unify
+from casper.kb.top_down.compiled.code import AGGREGATE, CALL, COMPARE, NEGATE, STOP, Frame, Node
+from casper.kb.top_down.linking import Links
+from casper.kb.top_down.running.aggregation import aggregated
+from casper.kb.top_down.running.calls import called
 from casper.kb.top_down.running.engine import NEGATION, ROOT, Engine, Workspace
-from casper.kb.top_down.running.readiness import UNDECIDED, binds_open, compared
-from casper.kb.top_down.running.strands import CLAUSES, ROWS, Choice, Strand, split
-
-DEAD, TIRED, ANSWERED, PROVED, NESTING = range(5)  # what ends a strand's turn
+from casper.kb.top_down.running.negation import negated
+from casper.kb.top_down.running.readiness import UNDECIDED, compared, waiting
+from casper.kb.top_down.running.retries import retried
+from casper.kb.top_down.running.strands import ANSWERED, DEAD, PROVED, TIRED, Cont, State, Strand, split
 
 
 class Machine(Workspace):
@@ -31,31 +32,28 @@ class Machine(Workspace):
         look: called with the steps taken since the last call; it raises when the search has to stop. It gives the
             steps that may follow before the next call.
         floundering_fails: whether a body none of whose conditions can be decided fails instead of raising.
-        settled: whether a condition without a value ends the search by what its evaluation raised.
     """
 
-    def __init__(
-        self, links: Links, look: Callable[[int], int], floundering_fails: bool = False, settled: bool = False
-    ) -> None:
-        super().__init__(links, floundering_fails, () if settled else UNDECIDED)
-        self.look = look
+    def __init__(self, links: Links, look: Callable[[int], int], floundering_fails: bool = False) -> None:
+        super().__init__(links, look, floundering_fails)
         self.left = self.granted = 0  # steps until the next look, and how many there were then
 
-    def answers(self, body: Node, frame: Frame) -> Iterator[tuple[Frame, bool]]:
-        """Every answer, as a frame like the one given, with whether it is certain.
+    def answers(self, body: Node, frame: Frame, doubt: str = "") -> Iterator[tuple[Frame, str]]:
+        """Every answer, as a frame like the one given, with what makes it doubtful (else ``""``).
 
         Args:
             body: a chain that ends in a STOP node whose sink is `ROOT`.
             frame: with the body's variables as cells.
+            doubt: what makes the question itself doubtful.
         """
-        self.engines.append(Engine(Strand(body, frame, None)))
+        self.engines.append(Engine(Strand(body, frame, None, doubt)))
         while self.engines:
             engine = self.engines[-1]
             if not engine.queue:
                 self.finish(engine)
                 continue
             strand = engine.queue.popleft()
-            event = self._run(strand, engine)
+            event = self._run(strand)
             if event == TIRED:
                 self._rest(strand, engine)
             elif event == ANSWERED:
@@ -78,241 +76,67 @@ class Machine(Workspace):
         if oldest is not None:
             engine.queue.append(oldest)
 
-    # --- the loop --------------------------------------------------------------------------------------------------
-
-    def _run(self, strand: Strand, engine: Engine) -> int:
+    def _run(self, strand: Strand) -> int:
         """Work on a strand until something happens; what happened."""
-        choices, trail, links = strand.choices, strand.trail, self.links
-        node, frame, cont, certain, failing = strand.node, strand.frame, strand.cont, strand.certain, strand.failing
-        strand.failing = False
-        top = choices[-1].serial if choices else 0
-        serial, left = self.serial, min(self.left, strand.turn)
-        began = left
-        candidates: Any = None
-        event = DEAD
+        state = None if strand.failing else (strand.node, strand.frame, strand.cont, strand.doubt)
+        strand.failing, strand.event = False, DEAD
+        began = left = min(self.left, strand.turn)
         while True:
-            if failing:
-                if not choices:
+            if state is None:
+                if strand.event or not strand.choices:
                     break
-                choice = choices[-1]
-                if len(trail) > choice.mark:
-                    undo(trail, choice.mark)
-                cont, certain, kind = choice.cont, choice.certain, choice.kind
-                if kind == CLAUSES:
-                    choices.pop()
-                    top = choices[-1].serial if choices else 0
-                    candidates, at, args = choice.what, choice.at, choice.args
-                    failing = False
-                elif kind == ROWS:
-                    top = choice.serial
-                    row = next(choice.what, None)
-                    if row is None:
-                        choices.pop()
-                        continue
-                    failing = False
-                    for column, term in zip(choice.at, choice.args):  # type: ignore[call-overload]
-                        if type(term) is list and term[0] is UNBOUND:
-                            term[0] = row[column]
-                            trail.append(term)
-                        elif not unify(term, row[column], trail, top):
-                            failing = True
-                            break
-                    node = None
-                else:
-                    self.serial = serial
-                    found = retried(self, choice, strand)
-                    serial = self.serial
-                    top = choices[-1].serial if choices else 0
-                    if found is not None:
-                        failing = False
-                        node, frame, cont, certain = found
-            elif node is None:
-                node, frame, cont = cont  # type: ignore[misc]
+                state = retried(self, strand)
                 continue
-            elif left <= 0:
-                event = TIRED
+            node, frame, cont, doubt = state
+            while node is None:
+                node, frame, cont = cont  # type: ignore[misc]
+            if left <= 0:
+                strand.node, strand.frame, strand.cont, strand.doubt = node, frame, cont, doubt
+                strand.event = TIRED
                 break
-            else:
-                left -= 1
-                kind = node.kind
-                if kind == CALL:
-                    link: Link = links[node.key]
-                    how = link.how
-                    args = node.build(frame)
-                    if how < TABLED:  # resolved with its clauses
-                        following = node.next
-                        if following is not None:
-                            cont = (following, frame, cont)
-                        procedure = link.what
-                        if procedure.fitted is not None:
-                            procedure = procedure.fitting(args)
-                        if args:
-                            first = args[0]
-                            while type(first) is list:
-                                value = first[0]
-                                if value is UNBOUND:
-                                    break
-                                first = value
-                            if type(first) is list:
-                                candidates = procedure.all
-                            elif isinstance(first, tuple):
-                                candidates = procedure.structures.get(first[0], procedure.open)
-                            else:
-                                candidates = procedure.constants.get(first, procedure.open)
-                        else:
-                            candidates = procedure.all
-                        at = 0
-                    elif how == STORED:
-                        columns, key, open_, positions = _pattern(args)
-                        relation = link.what
-                        if not open_:
-                            if key in relation:
-                                node = node.next
-                            else:
-                                failing = True
-                            continue
-                        rows = relation.matching(columns, key)
-                        size = len(rows)
-                        if size == 0:
-                            failing = True
-                        elif size == 1:
-                            (row,) = rows
-                            for column, term in zip(positions, open_):
-                                if not unify(term, row[column], trail, top):
-                                    failing = True
-                                    break
-                            node = node.next
-                        else:
-                            if node.next is not None:
-                                cont = (node.next, frame, cont)
-                            serial += 1
-                            choices.append(
-                                Choice(len(trail), serial, certain, ROWS, iter(rows), positions, open_, cont)  # type: ignore[arg-type]
-                            )
-                            top, failing = serial, True
-                        continue
-                    else:
-                        self.serial, strand.certain = serial, certain
-                        found = special(self, link, node, args, frame, cont, strand)
-                        serial = self.serial
-                        top = choices[-1].serial if choices else 0
-                        if found is None:
-                            failing = True
-                        else:
-                            node, frame, cont, certain = found
-                        continue
-                elif kind == COMPARE:
-                    pair = node.build(frame)
-                    if node.key[0] == "=" and not node.negated:
-                        if unify(pair[0], pair[1], trail, top):
-                            node = node.next
-                        else:
-                            failing = True
-                        continue
-                    try:
-                        held = compared(node, pair, trail, top)
-                    except self.undecided:
-                        certain = False
-                        if binds_open(node, pair):
-                            engine.doubtful = failing = True
-                        else:
-                            node = node.next
-                        continue
-                    if held:
-                        node = node.next
-                    elif held is False:
-                        failing = True
-                    else:
-                        node = waiting(self, node, frame)
-                        failing = node is None
-                    continue
-                elif kind == NEGATE:
-                    self.serial, strand.certain = serial, certain
-                    outcome = negated(self, node, frame, strand)
-                    if outcome is None:
-                        failing = True
-                    elif outcome is NESTED:
-                        node, event = node.next, NESTING
-                        break
-                    else:
-                        node, certain = outcome[0], outcome[3]  # type: ignore[index]
-                    continue
-                else:  # STOP
-                    sink = node.sink
-                    if sink is ROOT:
-                        self.answer = frame, certain
-                        event, failing = ANSWERED, True
-                        break
-                    failing = True
-                    if sink is NEGATION:
-                        if certain:
-                            event = PROVED
-                            break
-                        engine.uncertain = True
-                    else:
-                        holes: dict[int, Any] = {}
-                        sink.add(tuple([freeze(term, holes) for term in frame[1:]]), certain, engine.queue)
-                    continue
-            if candidates is not None:  # clauses to be tried: the first whose head matches is taken
-                last = len(candidates)
-                failing = True
-                while at < last:
-                    clause = candidates[at]
-                    at += 1
-                    if at < last:
-                        serial += 1
-                        newest = serial
-                    else:
-                        newest = top
-                    frame = [serial, *args, *clause.blank]
-                    mark = len(trail)
-                    for slot, read in clause.matchers:
-                        if not read(frame[slot], frame, trail, newest):
-                            if len(trail) > mark:
-                                undo(trail, mark)
-                            break
-                    else:
-                        if at < last:
-                            choices.append(Choice(mark, serial, certain, CLAUSES, candidates, at, args, cont))
-                            top = serial
-                        for slot in clause.fresh:
-                            frame[slot] = [UNBOUND, serial]
-                        node, failing = clause.body, False
-                        break
-                candidates = None
-        self.serial = serial
+            left -= 1
+            state = _INSTRUCTIONS[node.kind](self, node, frame, cont, doubt, strand)
         self.left -= began - left
         strand.turn -= began - left
-        strand.node, strand.frame, strand.cont, strand.certain = node, frame, cont, certain
-        if event == ANSWERED:
-            strand.failing = True
-        return event
+        return strand.event
 
 
-def _pattern(args: tuple[Any, ...]) -> tuple[tuple[int, ...], tuple[Any, ...], list[Any], list[int]]:
-    """Of a look-up's arguments: the columns that are known, their values, the terms that are open, their columns."""
-    columns: list[int] = []
-    key: list[Any] = []
-    open_: list[Any] = []
-    positions: list[int] = []
-    for at, arg in enumerate(args):
-        while type(arg) is list:
-            value = arg[0]
-            if value is UNBOUND:
-                break
-            arg = value
-        if type(arg) is tuple:
-            arg = _known_or_open(arg)
-        if type(arg) is list or type(arg) is tuple:
-            open_.append(arg)
-            positions.append(at)
+def _comparing(work: Workspace, node: Node, frame: Frame, cont: Cont, doubt: str, strand: Strand) -> State | None:
+    pair = node.build(frame)
+    if node.key[0] == "=" and not node.negated:
+        return (node.next, frame, cont, doubt) if unify(pair[0], pair[1], strand.trail, strand.top) else None
+    try:
+        held = compared(node, pair, strand.trail, strand.top)
+    except UNDECIDED as reason:
+        return node.next, frame, cont, doubt or reason.sentence
+    if held is None:
+        return waiting(work, node, frame, cont, doubt)
+    return (node.next, frame, cont, doubt) if held else None
+
+
+def _stopped(work: Workspace, node: Node, frame: Frame, cont: Cont, doubt: str, strand: Strand) -> State | None:
+    """An answer of the question, of a negated goal, or of a table."""
+    sink = node.sink
+    if sink is ROOT:
+        work.answer = frame, doubt
+        strand.event, strand.failing = ANSWERED, True
+    elif sink is NEGATION:
+        if not doubt:
+            strand.event = PROVED
         else:
-            columns.append(at)
-            key.append(arg)
-    return tuple(columns), tuple(key), open_, positions
+            work.engines[-1].doubt = work.engines[-1].doubt or doubt
+    else:
+        holes: dict[int, object] = {}
+        sink.add(tuple([freeze(term, holes) for term in frame[1:]]), doubt, work.engines[-1].queue)  # type: ignore[arg-type]
+    return None
 
 
-def _known_or_open(term: tuple[Any, ...]) -> Any:
-    """A compound term without cells, where it is ground."""
-    frozen = freeze(term, {})
-    return frozen if frozen_is_ground(frozen) else term
+_Instruction = Callable[[Workspace, Node, Frame, Cont, str, Strand], "State | None"]
+_TABLE: dict[int, _Instruction] = {
+    CALL: called,
+    COMPARE: _comparing,
+    NEGATE: negated,
+    AGGREGATE: aggregated,
+    STOP: _stopped,
+}
+_INSTRUCTIONS = tuple(_TABLE[kind] for kind in range(len(_TABLE)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from casper.kb.errors import ProgramError, Undefined
+from casper.kb.terms.clauses import AGGREGATE as AGGREGATE_NAME
 from casper.kb.terms.clauses import Literal
 from casper.kb.terms.comparison import compare
 from casper.kb.terms.syntax import COMPARISONS
@@ -13,15 +14,34 @@ from casper.kb.terms.unification import renamed
 from casper.kb.terms.values.arithmetic import EvaluationFailed
 from casper.kb.text.writer import literal_text
 from casper.kb.top_down.builtins.control import REFUTED
-from casper.kb.top_down.compiled.cells import Trail, deref, freeze, frozen_is_ground, unify
-from casper.kb.top_down.compiled.code import CALL, COMPARE, STOP, Frame, Node
+from casper.kb.top_down.compiled.cells import Trail, deref, freeze, fresh_variable, frozen_is_ground, has_rigid, unify
+from casper.kb.top_down.compiled.code import AGGREGATE, CALL, COMPARE, NEGATE, STOP, Frame, Node
 from casper.kb.top_down.linking import BUILT_IN, CONTROLLED, Links
+from casper.kb.top_down.running.engine import Workspace
+from casper.kb.top_down.running.strands import Cont, State
 
 UNDECIDED = (Undefined, EvaluationFailed)  # what evaluating raises where a condition is neither true nor false
 _VALUE = Variable("_#value")
 _ORDER = {"<": int.__lt__, ">": int.__gt__, "=<": int.__le__, ">=": int.__ge__}
 _SUMS = {"+": int.__add__, "-": int.__sub__, "*": int.__mul__}
 _SMALL = 10**9  # below it neither a sum nor a product comes near any limit
+
+
+def waiting(work: Workspace, node: Node, frame: Frame, cont: Cont, doubt: str) -> State | None:
+    """What is done first while a condition has to wait; what cannot be decided beside something undefined is, too.
+
+    Raises:
+        ProgramError: nothing makes it ready; unless such a body is to fail.
+    """
+    found = later(node, frame, work.links)
+    if found is not None:
+        return found, frame, cont, doubt
+    if doubt:
+        last = node.chain()[-1]
+        return last if last.kind == STOP else None, frame, cont, doubt
+    if not work.floundering_fails:
+        raise floundering(node, frame)
+    return None
 
 
 def compared(node: Node, pair: tuple[Any, Any], trail: Trail, top: int) -> bool | None:
@@ -42,10 +62,10 @@ def compared(node: Node, pair: tuple[Any, Any], trail: Trail, top: int) -> bool 
     frozen = freeze(right, holes)
     if operator != "is" or negated:
         frozen_left = freeze(left, holes)
-        if holes:
+        if not (frozen_is_ground(frozen) and frozen_is_ground(frozen_left)):
             return None
         return compare(Literal(Compound((operator, frozen_left, frozen)), negated), {}) is not None
-    if holes:
+    if not frozen_is_ground(frozen):
         return None
     found = compare(Literal(Compound(("is", _VALUE, frozen))), {})
     return found is not None and unify(left, found[_VALUE], trail, top)
@@ -60,11 +80,6 @@ def _quick(term: Any) -> int | None:
         if type(left) is int and type(right) is int and -_SMALL < left < _SMALL and -_SMALL < right < _SMALL:
             return _SUMS[term[0]](left, right)
     return None
-
-
-def binds_open(node: Node, pair: tuple[Any, Any]) -> bool:
-    """Whether a comparison without a value would have bound something: then there is no instance to call undefined."""
-    return node.key[0] == "is" and not frozen_is_ground(freeze(pair[0], {}))
 
 
 def later(node: Node, frame: Frame, links: Links) -> Node | None:
@@ -87,6 +102,8 @@ def is_ready(node: Node, frame: Frame, links: Links) -> bool:
         return link.how != CONTROLLED or _control_is_ready(link.what, args, links)
     if node.kind == COMPARE:
         return _comparable(node.key[0], node.negated, args)
+    if node.kind == AGGREGATE:
+        return open_of(node, frame, *args[:2]) is not None
     return closed(node, frame, args) is not None
 
 
@@ -101,12 +118,20 @@ def goal_is_ready(args: tuple[Any, ...], links: Links) -> bool:
     goal = deref(args[0])
     if type(goal) is list:
         return False
+    if not isinstance(goal, (str, tuple)):
+        return True  # it is no goal, and that is told
     name, inner = (goal[0], (*goal[1:], *args[1:])) if isinstance(goal, tuple) else (goal, args[1:])
-    if (name, len(inner)) == ("\\+", 1):
-        return frozen_is_ground(freeze(inner[0], {}))
+    if (name, len(inner)) in (("\\+", 1), ("not", 1), ("forall", 2)):
+        return all(frozen_is_ground(freeze(arg, {})) for arg in inner)
+    if (name, len(inner)) in ((AGGREGATE_NAME, 3), ("findall", 3)):
+        own: dict[int, Variable] = {}
+        freeze(inner[0], own)
+        size = len(own)
+        freeze(inner[1], own)
+        return len(own) == size
     if len(inner) == 2 and name in COMPARISONS:
         return _comparable(name, False, inner)
-    if name in (",", ";"):
+    if name in (",", ";", "->"):
         return True
     link = links[name, len(inner)]
     if link.how == BUILT_IN:
@@ -128,19 +153,44 @@ def closed(node: Node, frame: Frame, args: tuple[Any, ...]) -> tuple[Any, ...] |
         own = {id(deref(frame[slot])) for slot in node.own}
         if not own.issuperset(holes):
             return None
-    return frozen
+    return None if any(map(has_rigid, frozen)) else frozen
+
+
+def open_of(node: Node, frame: Frame, what: Any, atom: Any) -> dict[int, Variable] | None:
+    """The open variables of an aggregate's goal, by the cells; None while others than its own are among them.
+
+    Its own are the clause's wildcards. Of a goal that is known only when it is called, they are those of what is
+    worked out: any other may be somebody else's, and become known later.
+    """
+    own: dict[int, Variable] = {}
+    if node.literal is None:
+        freeze(what, own)
+    else:
+        for slot in node.own:
+            cell = deref(frame[slot])
+            if type(cell) is list:
+                own.setdefault(id(cell), fresh_variable())
+    size = len(own)
+    frozen = freeze(atom, own)
+    return own if len(own) == size and not has_rigid(frozen) else None
 
 
 def floundering(node: Node, frame: Frame) -> ProgramError:
     """That a condition cannot be decided, in the words of its author."""
     names: dict[int, Variable] = {}
     literal = node.literal
+    if literal is not None and literal.shown is not None:
+        return _undecidable(literal_text(literal), literal)
     args = tuple(freeze(arg, names, Compound) for arg in node.build(frame))
     if literal is not None:
         args = literal.atom.args if not names else _named(literal, args)
-    shown = Literal(Compound((node.key[0], *args)), node.negated)
+    negated = node.kind == NEGATE or node.negated
+    return _undecidable(literal_text(Literal(Compound((node.key[0], *args)), negated)), literal)
+
+
+def _undecidable(text: str, literal: Literal | None) -> ProgramError:
     place = literal.place if literal is not None and literal.place.line else None
-    return ProgramError(f"{literal_text(shown)} cannot be decided: bind its variables by a condition before it", place)
+    return ProgramError(f"{text} cannot be decided: bind its variables by a condition before it", place)
 
 
 def _named(literal: Literal, args: tuple[Any, ...]) -> tuple[Any, ...]:

@@ -16,7 +16,9 @@ from casper.kb.top_down.compiled.cells import UNBOUND, Cell, Trail, freeze, thaw
 from casper.kb.top_down.compiled.code import Frame, Node
 
 Cont: TypeAlias = tuple[Any, ...] | None  # (node, frame, continuation): what is to be done after this
+State: TypeAlias = tuple["Node | None", Frame, Cont, str]  # what is to be done next, and what makes that doubtful
 CLAUSES, ROWS, VALUES, BRANCHES, ANSWERS = range(5)
+DEAD, TIRED, ANSWERED, PROVED, NESTING = range(5)  # what ends a strand's turn
 TURN = 1_024  # steps before another strand has its turn
 
 
@@ -26,38 +28,61 @@ class Choice:
     Attributes:
         mark: the trail's length.
         serial: its age.
-        certain: whether the branch up to here is.
+        doubt: why the branch up to here is undefined; empty where it certainly holds.
         kind: CLAUSES (``what``: the clauses, from ``at`` on), ROWS (an iterator of rows), VALUES (an iterator of a
             built-in's values), BRANCHES (goal terms) or ANSWERS (a consumer of a table).
         args: the terms that are matched.
         cont: what is to be done then.
     """
 
-    __slots__ = ("args", "at", "certain", "cont", "kind", "mark", "serial", "what")
+    __slots__ = ("args", "at", "cont", "doubt", "kind", "mark", "serial", "what")
 
     def __init__(
-        self, mark: int, serial: int, certain: bool, kind: int, what: Any, at: int, args: Any, cont: Cont
+        self, mark: int, serial: int, doubt: str, kind: int, what: Any, at: int, args: Any, cont: Cont
     ) -> None:
-        self.mark, self.serial, self.certain, self.kind = mark, serial, certain, kind
+        self.mark, self.serial, self.doubt, self.kind = mark, serial, doubt, kind
         self.what, self.at, self.args, self.cont = what, at, args, cont
 
 
 class Strand:
-    """A branch of the search; ``failing`` when it goes on by its newest choice point."""
+    """A branch of the search.
 
-    __slots__ = ("certain", "choices", "cont", "failing", "frame", "node", "trail", "turn")
+    Attributes:
+        node, frame, cont, doubt: what is to be done next, when it has its turn again.
+        failing: it goes on by its newest choice point instead.
+        event: what ended its turn, where that was no failure.
+        choices: its choice points, the newest last.
+        top: the newest one's serial, 0 without any.
+        turn: steps that are left of its turn.
+        collected: the answers that an aggregate has waited for.
+    """
 
-    def __init__(self, node: Node | None, frame: Frame, cont: Cont, certain: bool = True) -> None:
-        self.node, self.frame, self.cont, self.certain = node, frame, cont, certain
+    __slots__ = ("choices", "collected", "cont", "doubt", "event", "failing", "frame", "node", "top", "trail", "turn")
+
+    def __init__(self, node: Node | None, frame: Frame, cont: Cont, doubt: str = "") -> None:
+        self.node, self.frame, self.cont, self.doubt = node, frame, cont, doubt
         self.choices: list[Choice] = []
         self.trail = Trail()
         self.failing, self.turn = False, TURN
+        self.event = self.top = 0
+        self.collected: Any = None
+
+    def push(self, choice: Choice) -> None:
+        """Make a choice point."""
+        self.choices.append(choice)
+        self.top = choice.serial
+
+    def pop(self) -> None:
+        """Take the newest choice point away: it is used up."""
+        choices = self.choices
+        choices.pop()
+        self.top = choices[-1].serial if choices else 0
 
     @classmethod
     def of(cls, choice: Choice) -> Strand:
         """A strand that begins by taking a choice."""
         strand = cls(None, [], None)
-        strand.choices.append(choice)
+        strand.push(choice)
         strand.failing = True
         return strand
 
@@ -112,6 +137,7 @@ def split(strand: Strand) -> Strand | None:
         strand.trail.clear()
         return None
     choice = strand.choices.pop(0)
+    strand.top = strand.choices[-1].serial if strand.choices else 0
     since = strand.trail[choice.mark :]
     values = [cell[0] for cell in since]
     for cell in since:
@@ -121,4 +147,4 @@ def split(strand: Strand) -> Strand | None:
         cell[0] = value
     cont, args = copy.revived(0)
     strand.turn = max(TURN, len(since), copy.size)
-    return Strand.of(Choice(0, choice.serial, choice.certain, choice.kind, choice.what, choice.at, args, cont))
+    return Strand.of(Choice(0, choice.serial, choice.doubt, choice.kind, choice.what, choice.at, args, cont))

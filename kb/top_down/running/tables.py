@@ -21,33 +21,33 @@ class Table:
     """The answers of one call, as frozen rows of its arguments.
 
     Attributes:
-        answers: rows in the order in which they were found, each with whether it is certain; one that was uncertain
-            first and became certain stands twice.
-        doubtful: whether an evaluation failed on the way, so that what is not there may not be false.
+        answers: rows in the order in which they were found, each with what makes it doubtful (else ``""``); one that
+            was doubtful first and became certain stands twice.
+        known: by what a row is a variant of, whether it is certain.
         complete: whether all answers are there.
     """
 
-    __slots__ = ("answers", "complete", "consumers", "doubtful", "known")
+    __slots__ = ("answers", "complete", "consumers", "known")
 
     def __init__(self) -> None:
-        self.answers: list[tuple[tuple[Term, ...], bool]] = []
+        self.answers: list[tuple[tuple[Term, ...], str]] = []
         self.known: dict[Hashable, bool] = {}
         self.consumers: list[Consumer] = []
-        self.doubtful = self.complete = False
+        self.complete = False
 
     @property
     def is_settled(self) -> bool:
         """Whether every answer is certain and everything else is false."""
-        return not self.doubtful and all(self.known.values())
+        return all(self.known.values())
 
-    def add(self, row: tuple[Term, ...], certain: bool, queue: Queue) -> bool:
+    def add(self, row: tuple[Term, ...], doubt: str, queue: Queue) -> bool:
         """Note an answer and wake who waits; False when it says nothing new."""
         key = variant(row)
         before = self.known.get(key)
-        if before is not None and (before or not certain):
+        if before is not None and (before or doubt):
             return False
-        self.known[key] = certain
-        self.answers.append((row, certain))
+        self.known[key] = not doubt
+        self.answers.append((row, doubt))
         for consumer in self.consumers:
             queue.append(consumer.strand())
         self.consumers.clear()
@@ -57,17 +57,17 @@ class Table:
 class Consumer:
     """A continuation that is to go on with every answer of a table."""
 
-    __slots__ = ("at", "certain", "saved", "table")
+    __slots__ = ("at", "doubt", "saved", "table")
 
-    def __init__(self, table: Table, cont: Cont, args: tuple[Any, ...], certain: bool) -> None:
-        self.table, self.certain, self.at = table, certain, 0
+    def __init__(self, table: Table, cont: Cont, args: tuple[Any, ...], doubt: str) -> None:
+        self.table, self.doubt, self.at = table, doubt, 0
         self.saved: Snapshot = snapshot(cont, args)
 
     def strand(self) -> Strand:
         """A strand that goes on with the answers not yet seen."""
-        return Strand.of(Choice(0, 0, True, ANSWERS, self, 0, (), None))
+        return Strand.of(Choice(0, 0, "", ANSWERS, self, 0, (), None))
 
-    def next(self) -> tuple[tuple[Term, ...], bool] | None:
+    def next(self) -> tuple[tuple[Term, ...], str] | None:
         """The next answer; None, and the consumer waits, when there is none yet."""
         if self.at < len(self.table.answers):
             self.at += 1

@@ -5,8 +5,11 @@ from hypothesis import given
 from programs import atoms_of, match, model, programs, put, solutions, undefined_of
 
 from casper.kb.base import KnowledgeBase
+from casper.kb.bottom_up import columnar
 from casper.kb.bottom_up.circles import alternating
+from casper.kb.bottom_up.columnar_fixpoint import columnar_fixpoint
 from casper.kb.bottom_up.materialise import materialise
+from casper.kb.bottom_up.size import MOST_ROWS
 from casper.kb.bottom_up.specification import naive_fixpoint
 from casper.kb.errors import BudgetExceeded
 from casper.kb.program.program import analyse
@@ -149,3 +152,26 @@ def test_terms_built_without_recursion_are_listed():
 def test_too_many_facts_are_refused_with_the_predicate_that_has_most(text):
     with pytest.raises(BudgetExceeded, match=r"more than 2 facts; [per]/\d has most"):
         materialise(program_of(text), most_rows=2)
+
+
+@given(programs())
+def test_columns_in_small_blocks_have_the_same_rows_in_the_same_rounds(text):
+    program = program_of(text)
+    whole, before = columnar_fixpoint(program, MOST_ROWS), columnar.BLOCK
+    columnar.BLOCK = 2
+    try:
+        blocks = columnar_fixpoint(program, MOST_ROWS)
+    finally:
+        columnar.BLOCK = before
+    assert (whole is None) == (blocks is None)
+    for indicator, relation in (whole or {}).items():
+        assert relation.rows == blocks[indicator].rows
+
+
+@pytest.mark.parametrize("rule", ["p(X, Y) :- a(X), a(Y).", "p(X, Y, Z) :- a(X), a(Y), Z is X + Y."], ids=["columns", "rows"])
+def test_a_round_that_would_derive_too_much_is_stopped_within_it(rule, monkeypatch):
+    monkeypatch.setattr(columnar, "BLOCK", 1_000)
+    program = analyse([*read_text(rule), *read_text(" ".join(f"a({at})." for at in range(2_000)))])
+    arity = 2 if "Z" not in rule else 3
+    with pytest.raises(BudgetExceeded, match=rf"more than 10000 facts; p/{arity} has most of them"):
+        materialise(program, 10_000)

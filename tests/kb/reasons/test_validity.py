@@ -106,6 +106,14 @@ def test_a_part_that_may_be_anything_is_not_broken_by_a_constraint_on_some_value
     assert str(found.completed) == "say(ann, W)"
 
 
+def test_a_part_that_may_be_anything_is_not_broken_because_nothing_is_known_of_it():
+    rules = "human(ann). say(X, W) :- human(X), odd(W, _). odd(_, _). allowed(hi). shown(x)."
+    constraint = 'never("only what is allowed") :- claim(say(_, W)), \\+ allowed(W).'
+    base = KnowledgeBase.from_text(f'{rules} {constraint} never("done") :- claim(S), \\+ did(S, _), S = say(_, bye).')
+    assert base.verify("say(ann, W)").valid is True
+    assert [base.verify(f"say(ann, {w})").valid for w in ("hi", "ho", "bye")] == [True, False, False]
+
+
 def test_the_value_that_breaks_it_is_invalid():
     assert verdict("say(ann, 7)").reasons == ("nobody says a secret",)
     assert verdict("say(ann, shout(hey))").reasons == ("nobody shouts",)

@@ -46,9 +46,12 @@ def test_a_table_holds_each_row_once_and_tells_which_were_new(base, found):
 @given(batches, st.lists(st.integers(0, 5), min_size=1, max_size=4), st.sampled_from([0, 1]))
 def test_a_join_finds_every_row_of_each_key(base, found, keys, column):
     table, known = filled(found, base)
-    which, matches = table.join((column,), np.array(keys, np.int64))
     expected = [(at, row) for at, key in enumerate(keys) for row in known if row[column] == key]
-    assert sorted(zip(which.tolist(), rows_of(matches))) == sorted(expected)
+    for most in (1, 2, 10**6):
+        blocks = list(table.join((column,), np.array(keys, np.int64), most))
+        found = [pair for which, matches in blocks for pair in zip(which.tolist(), rows_of(matches))]
+        assert sorted(found) == sorted(expected)
+        assert all(len(which) <= most for which, _ in blocks) and len(blocks) <= max(1, len(expected))
     assert table.any_match((column,), np.array(keys, np.int64)).tolist() == [any(r[column] == k for r in known) for k in keys]
 
 
@@ -56,9 +59,9 @@ def test_a_join_finds_every_row_of_each_key(base, found, keys, column):
 @given(batches)
 def test_without_a_column_every_row_is_found(base, found):
     table, known = filled(found, base)
-    which, matches = table.join((), np.zeros(1, np.int64))
-    assert which.tolist() == [0] * len(known)
-    assert sorted(rows_of(matches)) == sorted(known)
+    blocks = list(table.join((), np.zeros(1, np.int64)))
+    assert [at for which, _ in blocks for at in which.tolist()] == [0] * len(known)
+    assert sorted(row for _, matches in blocks for row in rows_of(matches)) == sorted(known)
 
 
 @given(batches)
