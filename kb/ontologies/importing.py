@@ -73,7 +73,7 @@ def import_ontologies(files: Sequence[Path]) -> Imported:
         DomainError, ReadError: as `reading.source.read_ontology`; nothing is made of files that cannot all be read.
     """
     ontology = Ontology()
-    for number, file in enumerate(files, 1):
+    for number, file in enumerate(files):
         found = read_ontology(file)
         relabelled(found, lambda label, number=number: f"{number}.{label}")  # type: ignore[misc]
         ontology.merge(found)
