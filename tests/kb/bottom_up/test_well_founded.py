@@ -98,3 +98,10 @@ def test_a_long_circle_is_told_by_its_ends():
     doubt = base.why("win(0)")
     assert len(doubt.steps) == 300 and doubt.back == 0
     assert "\\+ win(4), which needs … 292 more …, which needs \\+ win(297)" in doubt.sentence
+
+
+def test_an_only_undefined_answer_is_told_alone():
+    base = KnowledgeBase.from_text("p(a) :- \\+ q. q :- \\+ p(a). p(b).")
+    with pytest.raises(Undefined) as caught:
+        list(base.query("p(X), X \\= b"))
+    assert caught.value.sentence.startswith("X = a is undefined: ") and "more" not in caught.value.sentence
