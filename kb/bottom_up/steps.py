@@ -46,7 +46,7 @@ def comparison_step(literal: Literal, known: Set[Variable], slots: Slots, then: 
             return
         if extended is not None:
             for variable, slot in after:
-                environment[slot] = extended.get(variable)
+                environment[slot] = substitute(variable, extended)  # Z = f(X): with X as it is here
             then(environment)
 
     return test

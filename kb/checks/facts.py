@@ -77,7 +77,7 @@ def _is_empty(kb: KnowledgeBase, indicator: Indicator, known: dict[Indicator, bo
 def _holds(kb: KnowledgeBase, conditions: Sequence[Literal]) -> bool | None:
     """Whether the conditions have an answer; None when that cannot be told."""
     try:
-        return next(kb.query(", ".join(map(literal_text, conditions)), 1), None) is not None
+        return next(kb.query(", ".join(map(literal_text, conditions))), None) is not None
     except CasperError:
         return None
 

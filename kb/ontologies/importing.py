@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -72,7 +73,7 @@ def import_ontologies(files: Sequence[Path]) -> Imported:
         DomainError, ReadError: as `reading.source.read_ontology`; nothing is made of files that cannot all be read.
     """
     ontology = Ontology()
-    for number, file in enumerate(files, 1):
+    for number, file in enumerate(files):
         found = read_ontology(file)
         relabelled(found, lambda label, number=number: f"{number}.{label}")  # type: ignore[misc]
         ontology.merge(found)
@@ -107,9 +108,10 @@ def contradictions(folder: Path) -> Iterator[Finding]:
         for violation in kb.broken():
             clash = ", ".join(str(x.atom) for x in violation.clash if not x.is_comparison)
             yield error(violation.clause.place, f"the ontology contradicts itself: {violation.sentence} ({clash})")
-        yield from _endless(kb)
     except CasperError as mistake:
         yield finding_of(mistake, Place(str(folder / MAIN)))
+    with suppress(CasperError):  # what fails here has failed above
+        yield from _endless(kb)  # it may be why the search above was given up
 
 
 def _endless(kb: KnowledgeBase) -> Iterator[Finding]:

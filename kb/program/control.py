@@ -83,7 +83,7 @@ class _Plain:
             for at, leaf in enumerate(leaves):
                 others = [x for i, x in enumerate(leaves) if i != at]
                 literals.append(self._literal(leaf, clause.head, others, before, around))
-                before |= set(leaf.variables())
+                before |= _answered([[leaf]])
             yield Clause(clause.head, tuple(literals), clause.place)
 
     def _literal(
@@ -101,7 +101,7 @@ class _Plain:
         return leaf
 
     def _absence(self, leaf: Literal, head: Compound, others: list[Literal], around: Sequence[Literal]) -> Literal:
-        elsewhere = set(variables_of(head, *(x.atom for x in others)))
+        elsewhere = set(variables_of(head, *(_shown(x) for x in others)))
         shared = [v for v in variables_of(leaf.atom) if v in elsewhere]
         atom = self._auxiliary(leaf.atom, shared, set(shared), leaf.place, [*others, *around])
         return Literal(atom, True, leaf.place, as_term(leaf.atom))
@@ -139,14 +139,17 @@ class _Plain:
         return Compound((name, *tag, *arguments))
 
 
+def _shown(leaf: Literal) -> Term:
+    """What a condition shows of itself to the others: of an aggregate its result, the rest is its own."""
+    return leaf.atom[3] if leaf.atom.indicator in _AGGREGATES else leaf.atom
+
+
 def _answered(bodies: Iterable[Sequence[Literal]]) -> set[Variable]:
     """The variables that tell the answers of a goal apart: not those inside its negations and aggregates."""
     found: set[Variable] = set()
     for leaf in (leaf for body in bodies for leaf in body):
-        if leaf.atom.indicator in _AGGREGATES:
-            found.update(variables_of(leaf.atom[3]))
-        elif not leaf.negated:
-            found.update(leaf.variables())
+        if not leaf.negated:
+            found.update(variables_of(_shown(leaf)))
     return found
 
 

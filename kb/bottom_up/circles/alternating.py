@@ -62,7 +62,6 @@ class Circle:
         self.program, self.stratum, self.room, self.round_ = program, stratum, room, round_
         self.below = {i: r for i, r in relations.items() if i not in stratum}
         self.rules: list[Clause] = [c for i in sorted(stratum) for c in program.rules[i]]
-        self.last = round_
 
     def given(self) -> Relations:
         """The stratum's relations with what is given alone."""

@@ -29,7 +29,8 @@ class Ground:
         self.height: list[int] = []
         self.heads: list[int] = []
         self.premises: list[list[int]] = []
-        self.waiting: list[int] = []  # conditions of each rule that are not settled in its favour; -1: it gives nothing
+        self.waiting: list[int] = []  # conditions of each rule that are not settled in its favour
+        self.dead: set[int] = set()  # rules that give nothing: a condition is settled against them
         self.left: list[int] = []  # rules of each atom that may still give it
         self.needing: list[list[int]] = []  # rules that need the atom
         self.denying: list[list[int]] = []  # rules that need its absence
@@ -87,10 +88,9 @@ class Ground:
             atom = self.settled.pop()
             holds = self.value[atom] == TRUE
             for rule in self.needing[atom] if holds else self.denying[atom]:
-                if self.waiting[rule] > 0:
-                    self.waiting[rule] -= 1
-                    if not self.waiting[rule]:
-                        self._fire(rule)
+                self.waiting[rule] -= 1
+                if not self.waiting[rule]:
+                    self._fire(rule)
             for rule in self.denying[atom] if holds else self.needing[atom]:
                 self._kill(rule)
         return some
@@ -100,8 +100,8 @@ class Ground:
         self.state_true(self.heads[rule], height)
 
     def _kill(self, rule: int) -> None:
-        if self.waiting[rule] > 0:
-            self.waiting[rule] = -1
+        if rule not in self.dead:
+            self.dead.add(rule)
             head = self.heads[rule]
             self.left[head] -= 1
             if not self.left[head]:
@@ -109,7 +109,7 @@ class Ground:
 
     def _unfounded(self) -> bool:
         """Make false what could only rest on itself; whether there was anything."""
-        open_rules = [r for r, w in enumerate(self.waiting) if w > 0 and self.value[self.heads[r]] == UNDECIDED]
+        open_rules = [r for r, head in enumerate(self.heads) if self.value[head] == UNDECIDED and r not in self.dead]
         missing = {r: sum(self.value[a] == UNDECIDED for a in self.premises[r]) for r in open_rules}
         if not any(missing.values()):
             return False

@@ -110,7 +110,7 @@ def _anonymous(clause: Clause) -> Clause:
     """With ``_`` for every variable that occurs once."""
     times = Counter(_occurrences(clause))
     alone = [v for v, count in times.items() if count == 1 or v.is_anonymous]
-    names: Bindings = {v: Variable(f"_#{number}") for number, v in enumerate(alone, 1)}
+    names: Bindings = {v: Variable(f"_#{number}") for number, v in enumerate(alone)}
     body = tuple(Literal(_put(x.atom, names), x.negated) for x in clause.body)
     return Clause(_put(clause.head, names), body)
 

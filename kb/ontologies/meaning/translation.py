@@ -10,6 +10,7 @@ from casper.kb.ontologies.citing import cited
 from casper.kb.ontologies.expressions import Axiom, Expression, Iri, Ontology, Part, Value
 from casper.kb.ontologies.meaning import class_axioms as classes
 from casper.kb.ontologies.meaning import property_axioms as properties
+from casper.kb.ontologies.meaning.arities import check_arities
 from casper.kb.ontologies.meaning.equality import SAME, Cited, general_rules
 from casper.kb.ontologies.meaning.rules import rule
 from casper.kb.ontologies.meaning.tidying import tidied
@@ -170,4 +171,5 @@ def _said(expression: Expression, scope: Scope) -> Iterator[Said]:
     given = len(expression.args)
     if (number is None and given < 2) or (number is not None and given != number):
         raise Beyond("it has the wrong number of arguments; mend the axiom")
+    check_arities(expression)
     return make(scope, *expression.args)

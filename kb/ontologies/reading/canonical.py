@@ -8,23 +8,24 @@ from casper.kb.ontologies.expressions import RDFS, Axiom, Expression, Iri, Kind,
 from casper.kb.ontologies.reading.nodes import Entity, Item, Node
 from casper.kb.terms.clauses import NOWHERE
 
-_EVERY = slice(None)
+_FIRST, _EVERY = slice(1), slice(None)
+_COUNTED = slice(2)  # behind a number
 _PROPERTIES: dict[str, slice] = {  # where the properties of a constructor stand
-    "SomeValuesFrom": slice(0, 1),
-    "AllValuesFrom": slice(0, 1),
-    "HasValue": slice(0, 1),
-    "HasSelf": slice(0, 1),
-    "MinCardinality": slice(1, 2),
-    "MaxCardinality": slice(1, 2),
-    "ExactCardinality": slice(1, 2),
+    "SomeValuesFrom": _FIRST,
+    "AllValuesFrom": _FIRST,
+    "HasValue": _FIRST,
+    "HasSelf": _FIRST,
+    "MinCardinality": _COUNTED,
+    "MaxCardinality": _COUNTED,
+    "ExactCardinality": _COUNTED,
     "InverseOf": _EVERY,
     "PropertyChain": _EVERY,
     "SubPropertyOf": _EVERY,
     "EquivalentProperties": _EVERY,
     "DisjointProperties": _EVERY,
     "InverseProperties": _EVERY,
-    "PropertyDomain": slice(0, 1),
-    "PropertyRange": slice(0, 1),
+    "PropertyDomain": _FIRST,
+    "PropertyRange": _FIRST,
     "FunctionalProperty": _EVERY,
     "InverseFunctionalProperty": _EVERY,
     "ReflexiveProperty": _EVERY,
@@ -32,9 +33,9 @@ _PROPERTIES: dict[str, slice] = {  # where the properties of a constructor stand
     "SymmetricProperty": _EVERY,
     "AsymmetricProperty": _EVERY,
     "TransitiveProperty": _EVERY,
-    "PropertyAssertion": slice(0, 1),
-    "NegativePropertyAssertion": slice(0, 1),
-    "PropertyAtom": slice(0, 1),
+    "PropertyAssertion": _FIRST,
+    "NegativePropertyAssertion": _FIRST,
+    "PropertyAtom": _FIRST,
 }
 _ANNOTATING = ("AnnotationAssertion", "SubAnnotationPropertyOf", "AnnotationPropertyDomain", "AnnotationPropertyRange")
 _AXIOMS = {
@@ -187,7 +188,7 @@ def _facets(args: Sequence[Part]) -> Iterator[Expression]:
     """The facets of a restriction: pairs in functional syntax, elements in XML."""
     plain = [x for x in args if not isinstance(x, Expression)]
     yield from (x for x in args if isinstance(x, Expression))
-    yield from (Expression("FacetRestriction", pair) for pair in zip(plain[::2], plain[1::2]))
+    yield from (Expression("FacetRestriction", tuple(plain[at : at + 2])) for at in range(0, len(plain), 2))
 
 
 def variable_name(iri: str) -> str:

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from casper.kb.ontologies.expressions import RDF, RDFS, XSD, Expression, Iri, Kind, Ontology, Part, Value, parts_of
 
-_RESTRICTIONS = ("SomeValuesFrom", "AllValuesFrom", "HasValue")
 _COUNTED = ("MinCardinality", "MaxCardinality", "ExactCardinality")
 _TRIPLES = ("PropertyAssertion", "NegativePropertyAssertion", "PropertyAtom")
 _JOINED = ("IntersectionOf", "UnionOf", "ComplementOf")
@@ -105,18 +104,20 @@ def _evidence(ontology: Ontology) -> Iterator[tuple[str, Kind]]:
 
 def _uses(part: Expression) -> Iterator[tuple[Iri, Part | None]]:
     """The properties of a constructor, each with what tells its kind."""
-    name, args = part.name, part.args
     found: list[tuple[Part, Part | None]] = []
-    if name in (*_RESTRICTIONS, "PropertyRange") and len(args) == 2:
-        found = [(args[0], args[1])]
-    elif name in _COUNTED and len(args) > 1:
-        found = [(args[1], args[2] if len(args) > 2 else None)]
-    elif name in _TRIPLES and len(args) == 3:
-        found = [(args[0], args[2])]
-    elif name in _ALIKE or name in ("InverseOf", "PropertyChain", "InverseProperties"):
-        found = [(arg, None) for arg in args]
-    elif name == "HasKey":
-        found = [(arg, None) for arg in args[1:]]
-    elif name.endswith("Property") or name in ("PropertyDomain", "HasSelf"):
-        found = [(args[0], None)] if args else []
+    match part:
+        case Expression("SomeValuesFrom" | "AllValuesFrom" | "HasValue" | "PropertyRange", (on, value)):
+            found = [(on, value)]
+        case Expression("MinCardinality" | "MaxCardinality" | "ExactCardinality", (_, on, *qualified)):
+            found = [(on, qualified[0] if qualified else None)]
+        case Expression("PropertyAssertion" | "NegativePropertyAssertion" | "PropertyAtom", (on, _, value)):
+            found = [(on, value)]
+        case Expression("PropertyChain" | "InverseOf" | "InverseProperties", args):
+            found = [(arg, None) for arg in args]
+        case Expression("HasKey", (_, *args)):
+            found = [(arg, None) for arg in args]
+        case Expression("PropertyDomain" | "HasSelf", (on, *_)):
+            found = [(on, None)]
+        case Expression(name, args) if name in _ALIKE or name.endswith("Property"):
+            found = [(arg, None) for arg in args]
     yield from ((on, value) for on, value in found if isinstance(on, Iri))

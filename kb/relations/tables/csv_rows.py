@@ -80,10 +80,11 @@ def _cells(cells: list[str], place: Place) -> tuple[Term, ...]:
 def _value(cell: str, place: Place) -> Term:
     if not _NUMBER.fullmatch(cell):
         return cell
-    digits = cell.lstrip("-")
-    if digits.isdigit() and len(digits) <= 18:  # as many as the language reads
-        return int(cell)
-    value = float(cell)
-    if math.isinf(value) or digits.isdigit():
-        raise ReadError(f"{cell} is too large for a number here; put it in another form, or make it a name", place)
+    try:
+        value = int(cell) if cell.lstrip("-").isdigit() else float(cell)
+    except ValueError:  # more digits than Python reads
+        value = math.inf
+    if value in (math.inf, -math.inf):
+        shown = cell if len(cell) < 40 else f"{cell[:20]}… ({len(cell)} digits)"
+        raise ReadError(f"{shown} is too large for a number here; put it in another form, or make it a name", place)
     return value

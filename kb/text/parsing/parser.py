@@ -32,6 +32,7 @@ from casper.kb.text.parsing.tokens import (
 
 _STARTS = frozenset({NAME, QUOTED, CODES, VARIABLE, NUMBER})
 _OPENING = frozenset("([{")
+_PLAIN = 0  # the priority of a term that stands in brackets, or is no operator's
 _OPERAND = "a name or a variable or '('"
 
 
@@ -62,7 +63,7 @@ class Parser:
         self.at = 0
         self.is_named = False
         self.sequences = False  # whether ``a, b, c`` is one term of three, as in productions
-        self._priority = 0  # of the last term
+        self._priority = _PLAIN  # of the last term
         self._anonymous = 0
 
     # --- terms ------------------------------------------------------------------------------------------------------
@@ -141,7 +142,7 @@ class Parser:
         at = self.at
         kind, word = self.kinds[at], self.texts[at]
         self.at = at + 1
-        self._priority, self.is_named = 0, False
+        self._priority, self.is_named = _PLAIN, False
         if kind == NAME:
             if word == "-" and self._is_negative(at):
                 self.at += 1
@@ -201,13 +202,13 @@ class Parser:
         while self.takes(","):
             arguments.append(self.term(ARGUMENT))
         self.expect(")", "','")
-        self._priority, self.is_named = 0, True
+        self._priority, self.is_named = _PLAIN, True
         return Compound((name, *arguments))
 
     def _listed(self) -> Term:
         """``[items | tail]``."""
         self.at += 1
-        self._priority, self.is_named = 0, False
+        self._priority, self.is_named = _PLAIN, False
         if self.takes("]"):
             return NIL
         items, tail = [self.term(ARGUMENT)], NIL
@@ -218,7 +219,7 @@ class Parser:
             self.expect("]")
         else:
             self.expect("]", "','")
-        self._priority, self.is_named = 0, False
+        self._priority, self.is_named = _PLAIN, False
         return make_list(items, tail)
 
     def _bracketed(self, opening: str) -> Term:
@@ -227,17 +228,17 @@ class Parser:
         if opening == "(":
             term = self.term(HIGHEST)
             self.expect(")")
-            self._priority = 0
+            self._priority = _PLAIN
             return term
         if self.takes("}"):
             if self.texts[self.at] == "(" and self.starts[self.at] == self.tokens.end(self.at - 1):
                 self.at -= 1
                 return self._compound("{}")
-            self._priority, self.is_named = 0, False
+            self._priority, self.is_named = _PLAIN, False
             return "{}"
         term = Compound(("{}", self.term(HIGHEST)))
         self.expect("}")
-        self._priority, self.is_named = 0, False
+        self._priority, self.is_named = _PLAIN, False
         return term
 
     def _variable(self, word: str) -> Variable:

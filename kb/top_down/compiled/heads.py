@@ -61,13 +61,10 @@ def _constant(constant: Term) -> Read:
 
 
 def _reader(term: Term, slots: dict[Variable, int], known: set[Variable]) -> tuple[Read, Write]:
-    """How a part of a head is matched with a value, and how it is built."""
+    """How a part of a head, no variable met for the first time, is matched with a value, and how it is built."""
     if isinstance(term, Variable):
         slot = slots[term]
-        if term in known:
-            return (lambda value, frame, trail, top: unify(frame[slot], value, trail, top)), (lambda frame: frame[slot])
-        known.add(term)
-        return _setter(slot)
+        return (lambda value, frame, trail, top: unify(frame[slot], value, trail, top)), (lambda frame: frame[slot])
     if not isinstance(term, Compound):
         return _constant(term), (lambda frame: term)
     if is_ground(term):
@@ -111,16 +108,12 @@ def _deep(term: Compound, slots: dict[Variable, int], known: set[Variable]) -> t
     return (lambda value, frame, trail, top: unify(write(frame), value, trail, top)), write
 
 
-def _setter(slot: int) -> tuple[Read, Write]:
-    def read(value: Any, frame: Frame, trail: Trail, top: int) -> bool:
-        frame[slot] = value
-        return True
-
+def _opener(slot: int) -> Write:
     def write(frame: Frame) -> Any:
         cell = frame[slot] = [UNBOUND, frame[0]]
         return cell
 
-    return read, write
+    return write
 
 
 def _structure(term: Compound, slots: dict[Variable, int], known: set[Variable]) -> tuple[Read, Write]:
@@ -131,12 +124,13 @@ def _structure(term: Compound, slots: dict[Variable, int], known: set[Variable])
     risky = [slots[v] for v in dict.fromkeys(_variables(term)) if v in known]  # could hold the cell that is bound
     for at, part in enumerate(term.args, 1):
         if isinstance(part, Variable) and part not in known:
+            known.add(part)
             firsts.append((at, slots[part]))
-            read, write = _reader(part, slots, known)
+            writes.append(_opener(slots[part]))
         else:
             read, write = _reader(part, slots, known)
             others.append((at, read))
-        writes.append(write)
+            writes.append(write)
     build = _pair(term, [slots[v] for v in term.args], firsts) if _is_pair(term) else _built(name, writes)
     set_, check, may_hold = tuple(firsts), tuple(others), tuple(risky)
 

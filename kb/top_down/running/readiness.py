@@ -116,10 +116,8 @@ def _comparable(operator: str, negated: bool, args: tuple[Any, ...]) -> bool:
 def goal_is_ready(args: tuple[Any, ...], links: Links) -> bool:
     """Whether a goal that is a term is known, and can be decided."""
     goal = deref(args[0])
-    if type(goal) is list:
-        return False
     if not isinstance(goal, (str, tuple)):
-        return True  # it is no goal, and that is told
+        return type(goal) is not list  # a number is no goal, and that is told
     name, inner = (goal[0], (*goal[1:], *args[1:])) if isinstance(goal, tuple) else (goal, args[1:])
     if (name, len(inner)) in (("\\+", 1), ("not", 1), ("forall", 2)):
         return all(frozen_is_ground(freeze(arg, {})) for arg in inner)

@@ -184,3 +184,10 @@ def test_too_many_alternatives_are_refused():
     unions = " ".join(f"ObjectUnionOf({' '.join(f':C{n}_{m}' for m in range(7))})" for n in range(3))
     (told,) = reasons(f"SubClassOf(ObjectIntersectionOf({unions}) :D)")
     assert "more than 256" in told
+
+
+def test_what_is_stated_later_to_have_two_names_is_a_thing():
+    kb = kb_of("ReflexiveObjectProperty(:knows)", "SameIndividual(:ann :anna)")
+    assert not kb.ask("knows(rob, rob)")
+    kb.assert_("same(rob, bob)")
+    assert kb.ask("knows(rob, rob)") and kb.ask("knows(bob, bob)")

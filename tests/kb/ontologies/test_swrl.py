@@ -232,3 +232,10 @@ def test_a_rule_in_triples_without_its_body_is_told():
     found = imported_text(text, "ttl")
     assert "its body is not there; mend the rule; nothing was made of it" in found.findings[0].message
     assert not found.knowledge_base().defines("c", 1)
+
+
+def test_a_property_without_end_is_told_as_one_where_a_constraint_cannot_be_searched_through(tmp_path):
+    rule = swrl(f'{AGE} BuiltInAtom(swrlb:add {v("m")} {v("n")} "1"^^xsd:integer)', f"DataPropertyAtom(:age {v('x')} {v('m')})")
+    told = imported(*AGES, rule, "SubClassOf(:A DataMaxCardinality(1 :age))", "ClassAssertion(:A :ann)").write(tmp_path)
+    assert sorted(f.message.partition(" ")[0] for f in told) == ["age/2:", "the"]
+    assert any("the answer is unknown" in f.message for f in told)

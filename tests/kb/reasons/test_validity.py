@@ -3,7 +3,8 @@
 import pytest
 
 from casper.kb.base import KnowledgeBase
-from casper.kb.terms.terms import Compound
+from casper.kb.reasons.validity import valid_instances
+from casper.kb.terms.terms import Compound, Variable
 
 HOME = """
 human(ann). robot(tia). food(egg). food(bread). plate(plate). vessel(plate). vessel(mug). sink(sink).
@@ -236,3 +237,11 @@ def test_a_clash_leaves_open_what_a_negation_leaves_open():
     base = KnowledgeBase.from_text('never("no witness") :- claim(p(X)), \\+ saw(X, _). :- dynamic(saw/2). p(a).')
     [violation] = base.why_not("p(a)").violations
     assert str(violation.clash[1].atom) == "saw(a, _)"
+
+
+def test_what_is_valid_in_several_ways_is_listed_once():
+    base = KnowledgeBase.from_text(
+        'q(a). r(a). q(b). p(X, _) :- q(X). p(X, _) :- r(X). never("no b") :- claim(p(b, _)).'
+    )
+    base.declare_statements([("p", 2)])
+    assert [str(x) for x in valid_instances(Compound(("p", Variable("X"), 1)), base.solver(), base._model.constraints)] == ["p(a, 1)"]

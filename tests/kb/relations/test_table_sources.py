@@ -144,6 +144,21 @@ def test_a_cell_is_a_number_where_the_language_writes_it_so_and_otherwise_an_ato
     assert found == value and type(found) is type(value)
 
 
+@pytest.mark.parametrize("cell", ["1234567890123456789", "-12345678901234567890", "9" * 4000, "0", "-7"])
+def test_whole_numbers_of_any_size_are_exact(file, cell):
+    base = KnowledgeBase()
+    base.facts("size", file(f"a\n{cell}\n"))
+    ((value,),) = base.rows("size", 1)
+    assert (type(value), value) == (int, int(cell))
+
+
+@pytest.mark.parametrize(("value", "told"), [(None, "nothing"), (float("nan"), "nothing"), ([1], "[1]"), (b"x", "b'x'")])
+def test_a_value_that_no_fact_holds_is_told(value, told):
+    array = np.array([("ann", None)], dtype=[("name", "U9"), ("thing", object)])
+    array["thing"][0] = value
+    assert str(refused(array)) == f"row 1 has {told} in column thing: a fact needs an atom or a number there"
+
+
 @pytest.mark.parametrize(
     ("text", "line", "sentence"),
     [
@@ -153,7 +168,7 @@ def test_a_cell_is_a_number_where_the_language_writes_it_so_and_otherwise_an_ato
         ('a,b\n"x\ny",2\n1\n', 4, "this line has 1 cell, the first has 2"),
         ("1,2\n3,4\n", 1, "1 is no name of a column; without a header, say header=False"),
         ("a,a\n3,4\n", 1, "two columns are called 'a'; without a header, say header=False"),
-        ("a\n12345678901234567890\n", 2, "12345678901234567890 is too large for a number here"),
+        (f"a\n{'7' * 5000}\n", 2, f"{'7' * 20}… (5000 digits) is too large for a number here"),
         ("a\n1e999\n", 2, "1e999 is too large for a number here"),
         ('a\n1\n"x\n', 3, "this file cannot be read any further"),
         ("", 1, "there is nothing in the first line"),

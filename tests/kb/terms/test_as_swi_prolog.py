@@ -1,59 +1,16 @@
 """Terms are read and written as SWI-Prolog reads and writes them."""
 
 import os
-from random import Random
 
 import pytest
 from swipl import SWIPL, asked, canonical
+from written import random_terms, told, typed
 
-from casper.kb.terms.operators import STANDARD
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, Variable, make_list
 from casper.kb.terms.writeq import writeq
 from casper.kb.text.reader import read_term
 
 TERMS = 10_000 if os.environ.get("HYPOTHESIS_PROFILE") == "thorough" else 500
-NAMES = [
-    "a", "bob", "aB_1", "éclair", "Ünal", "食", "_x", "0a", "X", "Big name", "it's", "", "a\nb", "x\ty", "\x07\x1b", "\\", "'", '"',
-    "`", "!", ";", ",", "|", ".", "..", "/*", "%", "→", "→→", "a→", "&", "=>", "$", "[]x", "a.b", "end_of_file", "mod", "\u200b", "e\u0301",
-]  # fmt: skip
-OPERATORS = sorted({*STANDARD.infix, *STANDARD.prefix})
-INTEGERS = [0, 1, -1, 42, -7, 10**20, -(10**18)]
-FLOATS = [1.0, -0.5, 0.0, -0.0, 1e100, 1e15, 1e14, 123456789012345.0, 1e-4, 1e-5, -2.5e-7, 1e22, 5e-324, 1.7976931348623157e308]
-
-
-def random_term(random, depth):
-    kind = random.random()
-    if depth <= 0 or kind < 0.3:
-        return random_constant(random)
-    inner = [random_term(random, depth - 1) for _ in range(random.randint(1, 3))]
-    if kind < 0.55:
-        return Compound((random.choice(OPERATORS), inner[0], random_term(random, depth - 1)))
-    if kind < 0.7:
-        return Compound((random.choice(OPERATORS), inner[0]))
-    if kind < 0.78:
-        return make_list(inner, "[]" if random.random() < 0.7 else random_term(random, depth - 1))
-    if kind < 0.83:
-        return Compound(("{}", inner[0]))
-    return Compound((random.choice([name for name in NAMES if name != "."]), *inner))
-
-
-def random_constant(random):
-    return random.choice(
-        [
-            random.choice(NAMES), random.choice(NAMES), random.choice(OPERATORS), random.choice(["[]", "{}"]), random.choice(INTEGERS),
-            random.choice(FLOATS), random.uniform(-1e6, 1e6) * 10.0 ** random.randint(-20, 20), Variable(random.choice(["X", "_Y", "Ünal", "A1"])),
-        ]
-    )  # fmt: skip
-
-
-def random_terms(seed, count):
-    random = Random(seed)
-    return [random_term(random, random.randint(0, 4)) for _ in range(count)]
-
-
-def typed(term):
-    return (tuple(map(typed, term)),) if isinstance(term, tuple) else (type(term), term, repr(term))
 
 
 @pytest.fixture(scope="module")
@@ -61,8 +18,7 @@ def answers(tmp_path_factory):
     """Random terms with how SWI-Prolog writes them, and whether it reads our text of them as the same."""
     if SWIPL is None:
         pytest.skip("swipl is not installed, so there is nothing to compare with")
-    terms = random_terms(20, TERMS)
-    return list(zip(terms, asked([(term, term_text(term, 1200)) for term in terms], tmp_path_factory.mktemp("swipl")), strict=True))
+    return [(term, pair) for term, *pair in told(TERMS, 20, tmp_path_factory.mktemp("swipl"))]
 
 
 def test_writeq_writes_what_swi_prolog_writes(answers):

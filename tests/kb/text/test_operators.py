@@ -167,3 +167,43 @@ def test_a_mistake_in_an_included_file_is_its_own(tmp_path):
     main = written(tmp_path, main='p(a).\n:- include("bad.pl").\n' + "p(b).\n" * 5000, bad="q(a b).\n")
     with pytest.raises(ReadError, match=r"bad.pl:1:5"):
         Sources().sentences(main)
+
+
+@pytest.mark.parametrize(
+    ("declared", "text", "same"),
+    [
+        ("op(700, yf, holds)", "a = b holds", "holds(a = b)"),
+        ("op(500, yf, ++)", "a * b ++", "'++'(a * b)"),
+        ("op(500, yf, ++)", "a + b ++", "'++'(a + b)"),
+        ("op(200, xf, ++)", "- a ++", "- ('++'(a))"),
+        ("op(200, xf, ++)", "f(a ++, b)", "f('++'(a), b)"),
+        ("op(200, xf, ++)", "a ^ b ++", "a ^ '++'(b)"),
+        ("op(200, xf, ++)", "(a ++) ++", "'++'('++'(a))"),
+        ("op(200, xf, ++)", "[a ++ | b]", "['++'(a) | b]"),
+        ("op(300, xf, ++)", "a ++ - b", "'++'(a) - b"),
+        ("op(200, xf, ++)", "[a, b] ++", "'++'([a, b])"),
+        ("op(200, xf, ++)", "{a} ++", "'++'({a})"),
+        ("op(200, xf, ++)", "{} ++", "'++'({})"),
+        ("op(200, xf, ++)", '"a b" ++', "'++'('a b')"),
+        ("op(1, xf, ++)", "f(a) ++", "'++'(f(a))"),
+        ("op(1, xf, ++)", "X ++", "'++'(X)"),
+        ("op(1, xf, ++)", "-1 ++", "'++'(-1)"),
+    ],
+)
+def test_an_operator_behind_its_operand_takes_as_much_as_in_swi_prolog(declared, text, same):
+    assert heads(read_text(f":- {declared}. p({text}).")) == heads(read_text(f"p({same})."))
+
+
+@pytest.mark.parametrize(
+    ("declared", "text"),
+    [
+        ("op(700, xf, holds)", "a = b holds"),
+        ("op(500, xf, ++)", "a + b ++"),
+        ("op(200, xf, ++)", "a ++ ^ b"),
+        ("op(200, xf, ++)", "a ++ ++"),
+        ("op(1000, xf, ++)", "f(a ++)"),
+    ],
+)
+def test_an_operator_behind_its_operand_takes_no_more_than_its_priority(declared, text):
+    with pytest.raises(ReadError, match="does not belong here"):
+        read_text(f":- {declared}. p({text}).")

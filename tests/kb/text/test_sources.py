@@ -291,3 +291,9 @@ def test_a_fingerprint_waits_for_no_pipe(tmp_path):
     file.unlink()
     os.mkfifo(file)
     assert fingerprint([file]) != before
+
+
+def test_a_predicate_that_a_used_text_only_declares_is_its_own(tmp_path):
+    kb = loaded(written(tmp_path, main=':- use("home.pl", as(home)).', home=":- dynamic(guest/1).\nset(X) :- guest(X)."))
+    kb.assert_(("home:guest", "ann"))
+    assert kb.ask("home:set(ann)") and not kb.ask("home:set(bob)") and not kb.defines("guest", 1)

@@ -7,6 +7,8 @@ from programs import DERIVED, programs
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import BudgetExceeded, ProgramError, Undefined
+from casper.kb.program.program import analyse
+from casper.kb.relations.relation import Relation
 from casper.kb.store import on_demand
 from casper.kb.text.reader import read_text
 
@@ -169,3 +171,80 @@ def test_a_large_base_that_keeps_minima_is_listed():
     base = large("cost(X, C) :- price(X, C).", price=[(x % 7, x) for x in range(ROWS + 1)])
     base.add(read_text(":- table cost(_, min)."))
     assert list(base.query("cost(3, C)")) == [{"C": 3}]
+
+
+def program_of(text):
+    base = KnowledgeBase.from_text(text)
+    return analyse(base.clauses, base._dynamic)
+
+
+class Asked(Relation):
+    """A relation that notes by which columns it was indexed."""
+
+    def __init__(self, arity, rows):
+        super().__init__("e", arity, rows)
+        self.columns = set()
+
+    def matching(self, columns, key):
+        self.columns.add(columns)
+        return super().matching(columns, key)
+
+
+@pytest.mark.parametrize(
+    ("rule", "columns"),
+    [
+        ("two(X, Y) :- e(X, Z), e(Z, Y).", {(0,), (1,)}),
+        ("first(X) :- e(X, _).", {(0,)}),
+        ("first(X) :- e(X, Other), n(X), \\+ n(Other).", {(0,), (1,)}),
+        ("any(a) :- e(_, _).", set()),
+        ("any(a) :- e(Alone, _).", set()),
+        ("tested(k) :- e(X, Y), Y \\= a, n(X).", {(0,), (1,)}),
+        ("named(X) :- e(a, X).", {(1,)}),
+        ("other(X) :- n(X).", set()),
+        ("same(X) :- n(X), X = e(Y, Y).", set()),
+    ],
+)
+def test_the_columns_by_which_rules_look_up_are_indexed_while_loading(rule, columns):
+    program = program_of(f"e(a, b). n(a). {rule}")
+    relation = Asked(2, chain())
+    on_demand.index(program, {("e", 2): relation})
+    assert relation.columns == columns
+
+
+@pytest.mark.parametrize(("arity", "count"), [(2, ROWS), (1, ROWS + 1)])
+def test_a_small_relation_or_one_of_one_column_needs_no_index(arity, count):
+    relation = Asked(arity, [(at,) * arity for at in range(count)])
+    on_demand.index(program_of("e(a). e(a, b). p(X) :- e(X). p(X) :- e(X, Y), e(Y)."), {("e", arity): relation})
+    assert relation.columns == set()
+
+
+@pytest.mark.parametrize(
+    ("rules", "facts", "demanded"),
+    [
+        ("q(X) :- p(X, _).", ROWS + 1, True),
+        ("q(X) :- p(X, _).", ROWS, False),
+        ("", ROWS + 1, False),
+        ("q(X) :- p(X, _), \\+ r(X). r(X) :- p(X, _), \\+ q(X).", ROWS + 1, False),
+        ("q(X) :- p(_, X). :- table q(min).", ROWS + 1, False),
+        ("never(\"ones\") :- p(1, 1).", ROWS + 1, False),
+        ("grow(X, f(X)). q(X) :- p(X, _).", ROWS + 1, True),
+    ],
+)  # fmt: skip
+def test_a_base_is_worked_out_on_demand_when_it_is_large_and_nothing_needs_all_its_rows(rules, facts, demanded):
+    base = KnowledgeBase.from_text(f":- dynamic(p/2). {rules}")
+    base.facts("p", chain(facts - 1))
+    assert on_demand.is_demanded(base._model.program) is demanded
+
+
+def test_the_facts_of_a_predicate_with_rules_have_a_name_of_their_own():
+    program = program_of("p(a). p(X) :- q(X). q(b). q(c). r(X, f(X)).")
+    facts = on_demand.facts_of(program)
+    assert {name: len(relation) for (name, _), relation in facts.items()} == {"given: p": 1, "q": 2}
+    code = on_demand.code_of(program, facts)
+    assert {indicator: len(clauses) for indicator, clauses in code.clauses.items()} == {("p", 1): 2, ("r", 2): 1}
+    assert [code.size_of(i) for i in [("q", 1), ("given: p", 1), ("p", 1)]] == [2, 1, 3]
+
+
+def test_a_predicate_with_rules_and_no_facts_is_not_looked_up_among_facts():
+    program = program_of("p(X) :- q(X). q(b).")
+    assert len(on_demand.code_of(program, on_demand.facts_of(program)).clauses["p", 1]) == 1
