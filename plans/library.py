@@ -112,7 +112,7 @@ class PlanLibrary:
     def actions(self) -> dict[tuple[str, int], Place]:
         """The terminals Sigma by name and arity, with the place of the first production that names each."""
         if not self.is_listed:
-            return self.tables.reached([goal.indicator for goal, _ in self.goal_terms])
+            return dict(self.tables.reached(tuple([goal.indicator for goal, _ in self.goal_terms])))
         found: dict[tuple[str, int], Place] = {}
         for action in (action for plan in self.ways for action in plan.actions):
             found.setdefault(action.term.indicator, action.place)

@@ -29,7 +29,6 @@ from casper.engine.episodes.networks.terms import (
     inward,
     numbered,
     outward,
-    slots_of,
 )
 from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.kb.terms.clauses import Indicator
@@ -42,12 +41,14 @@ MOST_KEPT = 50_000  # of anything that is remembered of states
 
 
 class State(NamedTuple):
-    """A goal's number, its term, the row of its open items, and the conditions that wait for values."""
+    """A goal's number, its term, the row of its open items, the conditions that wait for values; how many slots it has.
+    """
 
     goal: int
     term: Any
     rest: Row
     open: tuple[Asked, ...]
+    slots: int
 
 
 class Networks:
@@ -97,7 +98,7 @@ class Networks:
 
     def leaves(self) -> Sequence[Compound]:
         """The actions of the plans, each once, with variables where parameters stand."""
-        found = self.tables.reached([(term[0], len(term) - 1) for _, term in self._goals])
+        found = self.tables.reached(tuple([indicator(term) for _, term in self._goals]))
         return [Compound((name, *(Variable(f"X{at + 1}") for at in range(arity)))) for name, arity in found]
 
     def begins_with(self, seen: Seen) -> Iterable[int]:
@@ -116,7 +117,9 @@ class Networks:
         due = (self.asking.due(("goal", term if len(term) > 1 else term[0])),) if asks else ()
         settled = self.asking.settled(due, {})
         env, still = ({}, due) if isinstance(settled, Failed) else settled  # a goal that nothing allows takes nothing
-        return State(goal, *numbered((term, ((CALL, term),), still), env, {}))
+        names: dict[Slot, Slot] = {}
+        term, rest, still = numbered((term, ((CALL, term),), still), env, names)
+        return State(goal, term, rest, still, len(names))
 
     def steps(self, state: State, seen: Seen, agent: str | None) -> Iterable[Step[State]]:
         """Every way in which the instance can take the observation, each state once."""
@@ -132,7 +135,7 @@ class Networks:
         self, state: State, option: Observation, agent: str | None, noted: list[str] | None = None
     ) -> Iterable[Step[State]]:
         growth = self._growth(option, agent, noted)
-        growth.fresh = len(slots_of(state[1:], {}))
+        growth.fresh = state.slots
         growth.was_cut = False
         doing = [(Compound((option.action, agent or "", *(option.args or ()))), 0.0)]
         for taken in growth.row(state.rest, {}, self.most_missed, FREE):
@@ -143,15 +146,17 @@ class Networks:
                     noted.extend(settled.reasons)
                 continue
             env, still = settled
-            needed = self.asking.needed(still, env, (state.term, taken.rest))
+            names: dict[Slot, Slot] = {}
+            term, rest = numbered((state.term, taken.rest), env, names)
+            needed = self.asking.needed(still, env, names)
             if isinstance(needed, Failed):
                 if noted is not None:
                     noted.extend(needed.reasons)
                 continue
             if not growth.can_close(taken.rest, env, needed):
                 continue
-            term, rest, still, leaf = numbered((state.term, taken.rest, needed, taken.leaf), env, {})
-            after = State(state.goal, term, rest, still)
+            after = State(state.goal, term, rest, numbered(needed, env, names), len(names))
+            leaf = numbered(taken.leaf, env, names)
             yield Step(after, taken.missed, outward(leaf), 1.0, taken.is_theirs)
         self.was_cut = self.was_cut or growth.was_cut
 
@@ -207,7 +212,7 @@ class Networks:
         if self.methods.least_of_row(state.rest):
             return False
         growth = self._growth(Observation("", ()), None)
-        growth.fresh = len(slots_of(state[1:], {}))
+        growth.fresh = state.slots
         passed = growth.passing_row(state.rest, {}, 0)
         return any(not isinstance(self.asking.settled((*state.open, *due), env), Failed) for env, _, due in passed)
 
