@@ -16,7 +16,7 @@ from casper.kb.terms.terms import Compound
 if TYPE_CHECKING:
     import networkx as nx
 
-S = TypeVar("S")  # hashable, equal up to the names of variables
+S = TypeVar("S")  # hashable, equal up to the names of variables; states of different goals differ
 
 
 class Step(NamedTuple, Generic[S]):
@@ -24,7 +24,8 @@ class Step(NamedTuple, Generic[S]):
 
     ``missed`` are the leaves that must come before ``leaf`` and went unseen, ``weight`` is the likelihood of what the
     observation is taken for (1.0 when certain). ``is_theirs``: the plan itself says that this step is the agent's who
-    took it (``by(Who, …)``), whoever's goal it is.
+    took it (``by(Who, …)``), whoever's goal it is. ``settled`` are the arguments of the leaf that were parameters of
+    which nothing was known: what they are is seen for the first time.
     """
 
     state: S
@@ -32,6 +33,7 @@ class Step(NamedTuple, Generic[S]):
     leaf: Compound
     weight: float = 1.0
     is_theirs: bool = False
+    settled: int = 0
 
 
 class Taken(NamedTuple, Generic[S]):
@@ -63,11 +65,12 @@ class Growing(Protocol[S]):
     def begin(self, goal: int) -> S:
         """The state of a goal of which nothing was seen."""
 
-    def steps(self, state: S, seen: Seen, agent: str | None) -> Iterable[Step[S]]:
+    def steps(self, state: S, seen: Seen, agent: str | None) -> Sequence[Step[S]]:
         """Every way in which the instance can take the observation.
 
         Leaves that must come before and were not seen count as missed, up to a number of them that the implementation
-        states. Where two ways lead to equal states both are listed.
+        states. Where two ways lead to equal states both are listed. It is asked often: it should be quick
+        to say none.
         """
 
     def choices(self, state: S) -> int:

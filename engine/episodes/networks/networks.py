@@ -31,6 +31,7 @@ from casper.engine.episodes.networks.terms import (
     outward,
 )
 from casper.engine.verification.observation import Observation, Seen, options_of
+from casper.kb.errors import PlanError
 from casper.kb.terms.clauses import Indicator
 from casper.kb.terms.terms import Compound, Variable
 from casper.kb.terms.unification import is_ground, variables_of
@@ -121,14 +122,18 @@ class Networks:
         term, rest, still = numbered((term, ((CALL, term),), still), env, names)
         return State(goal, term, rest, still, len(names))
 
-    def steps(self, state: State, seen: Seen, agent: str | None) -> Iterable[Step[State]]:
+    def steps(self, state: State, seen: Seen, agent: str | None) -> Sequence[Step[State]]:
         """Every way in which the instance can take the observation, each state once."""
         found: dict[tuple[State, float], Step[State]] = {}
-        for option, likelihood in options_of(seen):
-            for step in self._option_steps(state, option, agent or self.partner):
-                key = step.state, likelihood
-                if key not in found or found[key].missed > step.missed:
-                    found[key] = step._replace(weight=likelihood)
+        try:
+            for option, likelihood in options_of(seen):
+                for step in self._option_steps(state, option, agent or self.partner):
+                    key = step.state, likelihood
+                    if key not in found or found[key].missed > step.missed:
+                        found[key] = step._replace(weight=likelihood)
+        except RecursionError:
+            label = self._goals[state.goal][0]
+            raise PlanError(f"the plans of {label} are nested too deeply to be grown") from None
         return list(found.values())
 
     def _option_steps(
