@@ -16,8 +16,11 @@ from threading import Lock
 from typing import Any
 
 from casper.engine.domain.printing import domain_lines, domain_name
+from casper.engine.episodes.networks.asking import Asking
+from casper.engine.episodes.networks.networks import MOST_MISSED, Networks
+from casper.engine.episodes.networks.reading import GrownReading
 from casper.engine.explanation.situation import Situation
-from casper.engine.reading.policy import policy_named
+from casper.engine.reading.policy import Policy, policy_named
 from casper.engine.reading.priors import priors_of
 from casper.engine.reading.reading import Reading
 from casper.engine.recognition.options import Options
@@ -34,6 +37,7 @@ from casper.kb.text.files import is_there, real
 from casper.kb.text.lines import Line, text_of
 from casper.kb.text.sources import Sources, fingerprint
 from casper.plans.grammar.conditions import condition_clauses
+from casper.plans.grammar.expansion import labels
 from casper.plans.library import GOAL, PlanLibrary
 from casper.plans.relations import RELATIONS, plan_clauses
 
@@ -132,19 +136,38 @@ class Domain:
             CasperError: no such policy or score, a price or a number of goals that is none, or priors that do not
                 sum to 1. PlanError: the domain has no plans.
         """
-        if not self.library.ways:
+        if not self.library.productions:
             raise PlanError(f"the domain {self.name} has no plans to explain anything with; add them in plans.pl")
         Options(noise, goals, budget=budget).check()
         key = (policy, verification, noise, goals, score, budget, self.kb.changes)
         with self._lock:  # partners may be read in threads of their own
             if key not in self._unread:
                 options = Options(noise, goals, self._priors(), score_named(score), budget)
-                matcher = self._matcher(verification)
-                fresh = Reading(self.library, matcher, policy_named(policy), self.capability, options)
+                fresh = self._fresh(policy_named(policy), options, verification)
                 if len(self._unread) >= MOST_KEPT or any(other[-1] != key[-1] for other in self._unread):
                     self._unread.clear()
                 self._unread[key] = fresh
             return self._unread[key].fork()
+
+    def _fresh(self, policy: Policy, options: Options, verification: bool) -> Reading:
+        """A reading over the listed plans; where there is no end to them, over plans grown as far as is observed."""
+        if self.library.is_listed:
+            return Reading(self.library, self._matcher(verification), policy, self.capability, options)
+        return GrownReading(self.library, self.networks(verification), policy, self.capability, options)
+
+    def networks(self, verification: bool = True, most_missed: int = MOST_MISSED) -> Networks:
+        """How the goals go on when plans are grown lazily (`engine.episodes.growing`): nothing is unrolled.
+
+        Args:
+            verification: False sees action names only and never asks the knowledge base about an observation.
+            most_missed: how many leaves may go unseen between two observations.
+        """
+        library = self.library
+        goals = list(zip(labels([goal for goal, _ in library.goal_terms]), [goal for goal, _ in library.goal_terms]))
+        asking = Asking(self.kb if self.verifies and verification else None)
+        agents = self.partner, self.robot
+        by_name = not verification
+        return Networks(library.tables, goals, asking, *agents, by_name=by_name, most_missed=most_missed)
 
     @cached_property
     def _lock(self) -> Lock:

@@ -51,6 +51,9 @@ class Asking:
             self._domains: dict[Asked, dict[Any, frozenset[Any]]] = {}
             self._verdicts: dict[tuple[int, str, Any], tuple[str, ...]] = {}
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Asking, (self.kb, self.past)
+
     @property
     def now(self) -> int:
         """How many observations there were that did/2 knows of."""

@@ -11,9 +11,10 @@ equal states are one step, with the fewest misses.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from casper.engine.episodes.growing import Step
+from casper.engine.collaboration.collaboration import CollaborativePlan, longest_run
+from casper.engine.episodes.growing import Step, Taken
 from casper.engine.episodes.networks.asking import Asked, Asking, Failed
 from casper.engine.episodes.networks.compiling import indicator
 from casper.engine.episodes.networks.frontier import Frontier, Leaf
@@ -33,9 +34,14 @@ from casper.engine.episodes.networks.terms import (
 from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.kb.errors import PlanError
 from casper.kb.terms.clauses import Indicator
-from casper.kb.terms.terms import Compound, Variable
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, Variable, as_term
 from casper.kb.terms.unification import is_ground, variables_of
 from casper.plans.networks.tables import Tables
+from casper.plans.trees.nodes import Action
+
+if TYPE_CHECKING:
+    import networkx as nx
 
 MOST_MISSED = 1  # leaves that may go unseen between two observations
 MOST_KEPT = 50_000  # of anything that is remembered of states
@@ -162,7 +168,7 @@ class Networks:
                 continue
             after = State(state.goal, term, rest, numbered(needed, env, names), len(names))
             leaf = numbered(taken.leaf, env, names)
-            yield Step(after, taken.missed, outward(leaf), 1.0, taken.is_theirs)
+            yield Step(after, taken.missed, outward(leaf), 1.0, taken.is_theirs, taken.settled)
         self.was_cut = self.was_cut or growth.was_cut
 
     def _growth(self, option: Observation, agent: str | None, noted: list[str] | None = None) -> Growth:
@@ -240,6 +246,78 @@ class Networks:
         """A smallest rest in an order that the plan allows, bound as far as is known."""
         return [outward(leaf.action) for leaf in self.coming(state)]
 
+    def leaves_left(self, state: State) -> Sequence[Action]:
+        """As `rest`, with who does each leaf."""
+        coming = self.coming(state)
+        return [Action(outward(leaf.action), by=None if leaf.by is None else outward(leaf.by)) for leaf in coming]
+
+    def next_leaves(self, state: State) -> Sequence[Compound]:
+        """What could come next without a miss; of what a task may begin with the name, with open arguments."""
+        found: set[Any] = set()
+        names: set[Indicator] = set()
+        self.methods.add_first(state.rest, found, names)
+        others = names - {indicator(action) for action in found}
+        general = [Compound((name, *(Variable("_#1") for _ in range(arity)))) for name, arity in sorted(others)]
+        return [*sorted(map(outward, found), key=_text), *general]
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What it was made of: what was worked out is worked out anew where it arrives."""
+        return {**self.__dict__, "_growths": {}, "_choices": {}, "methods": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self.methods = Methods(self.tables)
+
+    def part(self, state: State, agent: str) -> CollaborativePlan | None:
+        """What the agent can do of the rest, and what it waits for; None where nothing is left.
+
+        A leaf counts as possible when the knowledge base lets the agent do it as things are: what comes before it is
+        not yet done, so where rules look at did/2 it is asked again when its turn comes.
+        """
+        coming = self.coming(state)
+        if not coming:
+            return None
+        label, before = self._goals[state.goal][0], [leaf.before for leaf in coming]
+        able = [at for at, leaf in enumerate(coming) if self._may(leaf, agent)]
+        run = longest_run(able, [at for at in range(len(coming)) if at not in able], before)
+        needed = -1 if not run else 0
+        for at in run:
+            needed |= before[at]
+        awaited = tuple(at for at in range(len(coming)) if needed >> at & 1 and at not in run)
+        actions = [outward(leaf.action) for leaf in coming]
+        waiting, theirs = tuple(actions[at] for at in awaited), tuple(actions[at] for at in run)
+        return CollaborativePlan(agent, label, waiting, theirs, run, awaited)
+
+    def _may(self, leaf: Leaf, agent: str) -> bool:
+        """Whether a leaf is the agent's to do, and the knowledge base knows that it can; without one nobody can."""
+        who = self.robot if leaf.by == "robot" and self.robot is not None else leaf.by
+        others = who is not None and who.__class__ is not Slot and who != agent
+        return self.asking.kb is not None and not others and not self.asking.refusal(leaf.action, agent)
+
+    def tree(self, goal: int, history: Sequence[Taken[State]]) -> nx.DiGraph:
+        """The goal with the leaves that were observed, in order, and a smallest rest (attributes: `plans.trees.tree`).
+
+        Which tasks lie between is not decided while they are grown, so none are shown; missed leaves have no node.
+        """
+        import networkx as nx
+
+        state = history[-1].step.state if history else self.begin(goal)
+        rows = [(taken.step.leaf, "observed", taken.agent if taken.step.is_theirs else None) for taken in history]
+        rows += [(outward(leaf.action), "unobserved", leaf.by and outward(leaf.by)) for leaf in self.coming(state)]
+        told = self.goal_of(state)
+        tree: nx.DiGraph = nx.DiGraph()
+        common = {"optional": False, "rival": None}
+        shared = "observed" if all(status == "observed" for _, status, _ in rows) else "unobserved"
+        tree.add_node(
+            0, term=_text(told), name=told.functor, kind="goal", leaf=None, status=shared, by=None, **common
+        )
+        for number, (leaf, status, by) in enumerate(rows, 1):
+            who = None if by is None else term_text(by)
+            node = {"term": _text(leaf), "name": leaf.functor, "kind": "action", "leaf": number - 1}
+            tree.add_node(number, **node, status=status, by=who, **common)
+            tree.add_edge(0, number)
+        return tree
+
     def reasons(self, state: State, seen: Seen, agent: str | None) -> Sequence[str]:
         """Why the instance cannot take the observation."""
         label, noted = self._goals[state.goal][0], list[str]()
@@ -284,3 +362,7 @@ class Networks:
             other.asking = self.asking.forked()
             other._growths = {}
         return other
+
+
+def _text(action: Compound) -> str:
+    return term_text(as_term(action))
