@@ -49,7 +49,7 @@ class PlanLibrary:
         self._recursion: Clause | None = None
         self._plans: tuple[Plan, ...] | None = None
         self._ways: tuple[Plan, ...] | None = None
-        self._unlisted: Unlisted | None = None  # why there are no ways to be had
+        self._unlisted: tuple[str, Place | None] | None = None  # why there are no ways to be had
         self._tables: Tables | None = None
         self.add(sentences)
 
@@ -112,7 +112,7 @@ class PlanLibrary:
     def actions(self) -> dict[tuple[str, int], Place]:
         """The terminals Sigma by name and arity, with the place of the first production that names each."""
         if not self.is_listed:
-            return self.tables.reached([goal.indicator for goal, _ in self.goal_terms])
+            return dict(self.tables.reached(tuple([goal.indicator for goal, _ in self.goal_terms])))
         found: dict[tuple[str, int], Place] = {}
         for action in (action for plan in self.ways for action in plan.actions):
             found.setdefault(action.term.indicator, action.place)
@@ -149,7 +149,7 @@ class PlanLibrary:
             Unlisted: there is no end to the plans, or there are too many (`is_listed` says whether there are any).
         """
         if self._unlisted is not None:
-            raise self._unlisted
+            raise Unlisted(*self._unlisted)
         if self._ways is None:
             depth, stated = _depth(self._recursion), self._recursion is not None
             if stated:
@@ -157,7 +157,7 @@ class PlanLibrary:
             try:
                 self._ways = tuple(expand(self.goal_terms, self._productions, self._most_plans, recursion=depth))
             except Unlisted as mistake:
-                self._unlisted = None if stated else mistake
+                self._unlisted = None if stated else (mistake.sentence, mistake.place)
                 raise
         return self._ways
 

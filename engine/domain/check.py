@@ -37,7 +37,8 @@ def check_domain(name: str | Path) -> list[Finding]:
     read = _Read(folder)
     findings = list(read.findings)
     checked = check_sentences([*_knowledge(read), *_conditions(read)], _context(read))
-    findings += checked.findings
+    ours = [f"{name}/{arity}" for name, arity in {clause.head.indicator for clause in _conditions(read)}]
+    findings += [f for f in checked.findings if f.severity is not Severity.NOTE or not _mentions(f, ours)]
     defined = {c.head.indicator for c in checked.kb.clauses} | {c.head.indicator for c in checked.faulty}
 
     def is_action(indicator: Indicator) -> bool:
@@ -89,6 +90,11 @@ def _knowledge(read: _Read) -> list[Sentence]:
     if read.verifies:
         return read.everything
     return [s for s in read.everything if not (isinstance(s, Clause) and s.head.indicator == GOAL)]
+
+
+def _mentions(finding: Finding, names: list[str]) -> bool:
+    """Whether a finding is of a relation that stands for a condition of plans: that is asked as the plans ask it."""
+    return any(name in finding.message for name in names)
 
 
 def _conditions(read: _Read) -> list[Clause]:

@@ -18,11 +18,16 @@ from typing import Any
 from casper.engine.domain.agents import agent_of, partners_of
 from casper.engine.domain.printing import domain_lines, domain_name
 from casper.engine.episodes.day import Day
-from casper.engine.episodes.enumerated import MOST_MISSED, Enumerated, Standing
+from casper.engine.episodes.enumerated import MOST_MISSED, Enumerated
+from casper.engine.episodes.growing import Growing
 from casper.engine.episodes.hypotheses.growth import Bounds
+from casper.engine.episodes.networks.asking import Asking
+from casper.engine.episodes.networks.networks import MOST_MISSED as MOST_MISSED_OF_ENDLESS
+from casper.engine.episodes.networks.networks import Networks
+from casper.engine.episodes.networks.reading import GrownReading
 from casper.engine.episodes.prices import Prices, prices_of
 from casper.engine.explanation.situation import Situation
-from casper.engine.reading.policy import policy_named
+from casper.engine.reading.policy import Policy, policy_named
 from casper.engine.reading.priors import priors_of
 from casper.engine.reading.reading import Reading
 from casper.engine.recognition.options import Options
@@ -39,6 +44,7 @@ from casper.kb.text.files import is_there, real
 from casper.kb.text.lines import Line, text_of
 from casper.kb.text.sources import Sources, fingerprint
 from casper.plans.grammar.conditions import condition_clauses
+from casper.plans.grammar.expansion import labels
 from casper.plans.library import GOAL, PlanLibrary
 from casper.plans.relations import RELATIONS, plan_clauses
 
@@ -140,8 +146,7 @@ class Domain:
             CasperError: no such policy or score, a price or a number of goals that is none, or priors that do not
                 sum to 1. PlanError: the domain has no plans.
         """
-        if not self.library.ways:
-            raise PlanError(f"the domain {self.name} has no plans to explain anything with; add them in plans.pl")
+        self._needs_plans()
         Options(noise, goals, budget=budget).check()
         known = tuple(earlier) if self.kb.depends_on_history else ()
         who = partner or self.partner
@@ -149,10 +154,7 @@ class Domain:
         with self._lock:  # partners may be read in threads of their own
             if key not in self._unread:
                 options = Options(noise, goals, self._priors(), score_named(score), budget)
-                matcher = self._matcher(verification, who, known)
-                default = who == self.partner and not known
-                can = self.capability if default else partial(self.capability, partner=who, earlier=known)
-                fresh = Reading(self.library, matcher, policy_named(policy), can, options)
+                fresh = self._fresh(policy_named(policy), options, verification, who, known)
                 if len(self._unread) >= MOST_KEPT or any(other[-1] != key[-1] for other in self._unread):
                     self._unread.clear()
                 self._unread[key] = fresh
@@ -167,9 +169,9 @@ class Domain:
         helping: float | None = None,
         settled: float | None = None,
         verification: bool = True,
-        most_missed: int = MOST_MISSED,
+        most_missed: int | None = None,
         bounds: Bounds | None = None,
-    ) -> Day[Standing]:
+    ) -> Day[Any]:
         """A fresh day with one partner or several: goal after goal, several at once, changes of mind.
 
         Args:
@@ -182,14 +184,23 @@ class Domain:
         Raises:
             CasperError: prices or priors that make no sense. PlanError: the domain has no plans.
         """
-        if not self.library.ways:
-            raise PlanError(f"the domain {self.name} has no plans to explain anything with; add them in plans.pl")
+        self._needs_plans()
         given = {"begin": begin, "abandon": abandon, "needless": needless, "missed": missed, "helping": helping}
         prices = prices_of(self.kb.rows, self._price_place, **given, settled=settled)
-        if type(most_missed) is not int or most_missed < 0:
+        if most_missed is not None and (type(most_missed) is not int or most_missed < 0):
             raise DomainError(f"most_missed is a whole number from 0, not {most_missed}")
-        growing = Enumerated(self.library.ways, self._matcher(verification), self.capability, most_missed)
-        return Day(growing, prices, self._priors(), bounds or Bounds())
+        return Day(self._growing(verification, most_missed), prices, self._priors(), bounds or Bounds())
+
+    def _needs_plans(self) -> None:
+        if not self.library.productions:
+            raise PlanError(f"the domain {self.name} has no plans to explain anything with; add them in plans.pl")
+
+    def _growing(self, verification: bool, most_missed: int | None) -> Growing[Any]:
+        """How goal instances go on: over the listed plans, where they can be listed."""
+        if not self.library.is_listed:
+            return self.networks(verification, MOST_MISSED_OF_ENDLESS if most_missed is None else most_missed)
+        most = MOST_MISSED if most_missed is None else most_missed
+        return Enumerated(self.library.ways, self._matcher(verification), self.capability, most)
 
     @property
     def prices(self) -> Prices:
@@ -199,6 +210,31 @@ class Domain:
     def _price_place(self, name: str) -> Place | None:
         found = [clause.place for clause in self.kb.clauses_of(("setting", 3)) if clause.head[1:3] == ("plans", name)]
         return found[-1] if found else None
+
+    def _fresh(
+        self, policy: Policy, options: Options, verification: bool, who: str, known: tuple[Compound, ...]
+    ) -> Reading:
+        """A reading over the listed plans; where there is no end to them, over plans grown as far as is observed."""
+        if self.library.is_listed:
+            matcher = self._matcher(verification, who, known)
+            default = who == self.partner and not known
+            can = self.capability if default else partial(self.capability, partner=who, earlier=known)
+            return Reading(self.library, matcher, policy, can, options)
+        return GrownReading(self.library, self.networks(verification), policy, self.capability, options)
+
+    def networks(self, verification: bool = True, most_missed: int = MOST_MISSED_OF_ENDLESS) -> Networks:
+        """How the goals go on when plans are grown lazily (`engine.episodes.growing`): nothing is unrolled.
+
+        Args:
+            verification: False sees action names only and never asks the knowledge base about an observation.
+            most_missed: how many leaves may go unseen between two observations.
+        """
+        library = self.library
+        goals = list(zip(labels([goal for goal, _ in library.goal_terms]), [goal for goal, _ in library.goal_terms]))
+        asking = Asking(self.kb if self.verifies and verification else None)
+        agents = self.partner, self.robot
+        by_name = not verification
+        return Networks(library.tables, goals, asking, *agents, by_name=by_name, most_missed=most_missed)
 
     @cached_property
     def _lock(self) -> Lock:

@@ -111,7 +111,7 @@ class Reading:
 
     def fork(self) -> Reading:
         """A reading that goes its own way from here: "what if the next is …". What was counted so far is shared."""
-        other = object.__new__(Reading)
+        other = object.__new__(type(self))
         other.__dict__.update(self.__dict__)
         other._engine, other._rejected = self._engine.fork(), list(self._rejected)
         return other

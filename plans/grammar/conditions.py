@@ -7,7 +7,8 @@ becomes a plan that asks ``'{vessel(V), \\+ at(V, sink)}'(V)`` where the conditi
     '{vessel(V), \\+ at(V, sink)}'(V) :- vessel(V), \\+ at(V, sink).
 
 So whatever the base does with a rule it does with a condition: it checks it, answers it in every direction, and says
-why it does not hold.
+why it does not hold. Conditions on parameters that have nothing to do with one another (``{person(X), place(Y)}``) are
+relations of their own: nobody needs all the pairs.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from functools import lru_cache
 from casper.kb.errors import Place, PlanError, ReadError
 from casper.kb.terms.clauses import Clause, Literal, Production
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, Term
+from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import renamed, variables_of
 from casper.kb.text.reader import read_query
 from casper.plans.grammar.shapes import items_in
@@ -32,10 +33,35 @@ def is_condition(item: Term) -> bool:
     return isinstance(item, Compound) and item.indicator == ASKED
 
 
-def relation_of(item: Compound) -> Compound:
-    """The relation that stands for a condition, with what it is about: its named variables."""
-    (named,) = renamed([item], 0)  # under the author's names, whichever copy of the production it is in
-    return Compound((term_text(named), *(v for v in variables_of(item) if not v.is_anonymous)))
+def relations_of(item: Compound) -> list[Compound]:
+    """The relations that stand for a condition, each with what it is about: its named variables."""
+    return [Compound((f"{{{_text(goal)}}}", *_named(goal))) for goal in _parts(item[1])]
+
+
+def _text(goal: Term) -> str:
+    (named,) = renamed([goal], 0)  # under the author's names, whichever copy of the production it is in
+    return term_text(named, 1200)
+
+
+def _named(goal: Term) -> list[Variable]:
+    return [variable for variable in variables_of(goal) if not variable.is_anonymous]
+
+
+def _parts(goal: Term) -> list[Term]:
+    """A conjunction in parts that share no named variable, in the author's order."""
+    if not (isinstance(goal, Compound) and goal[0] == ","):
+        return [goal]
+    groups: list[tuple[set[Variable], list[int]]] = []
+    for at, conjunct in enumerate(goal.args):
+        names, members = set(_named(conjunct)), [at]
+        for group in [group for group in groups if group[0] & names]:
+            names |= group[0]
+            members = [*group[1], *members]
+            groups.remove(group)
+        groups.append((names, members))
+    groups.sort(key=lambda group: min(group[1]))
+    parts = [[goal.args[at] for at in sorted(members)] for _, members in groups]
+    return [part[0] if len(part) == 1 else Compound((",", *part)) for part in parts]
 
 
 def condition_clauses(productions: Iterable[Production]) -> Iterator[Clause]:
@@ -47,11 +73,12 @@ def condition_clauses(productions: Iterable[Production]) -> Iterator[Clause]:
     seen: set[Compound] = set()
     for production in productions:
         for item in items_in(production.body):
-            if is_condition(item) and (relation := relation_of(item)) not in seen:
-                seen.add(relation)
-                place = production.place
-                for literals in _asked(term_text(item[1], 1200), place):
-                    yield Clause(relation, tuple(replace(literal, place=place) for literal in literals), place)
+            for relation in relations_of(item) if is_condition(item) else ():
+                if relation not in seen:
+                    seen.add(relation)
+                    place = production.place
+                    for literals in _asked(relation.functor[1:-1], place):
+                        yield Clause(relation, tuple(replace(literal, place=place) for literal in literals), place)
 
 
 @lru_cache(maxsize=4096)

@@ -21,7 +21,7 @@ from casper.kb.terms.clauses import Production
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import NIL, Compound, Term, as_term, predication
 from casper.kb.terms.unification import Bindings, is_ground, renamed, unify
-from casper.plans.grammar.conditions import is_condition, relation_of
+from casper.plans.grammar.conditions import is_condition, relations_of
 from casper.plans.grammar.naming import called, settled, settles, with_values
 from casper.plans.grammar.shapes import BY, CHOICES, SHAPES, Items, partial_order
 from casper.plans.grammar.steps import NO_ACTIONS, ONLY_NAMES, checked_action, checked_step
@@ -169,7 +169,7 @@ class _Grammar:
         elif item == "{}":
             raise PlanError("{} asks nothing: write {Goal}, as in {vessel(V), \\+ at(V, sink)}", place)
         elif is_condition(item):
-            yield (Condition(relation_of(term), place),), bindings
+            yield tuple([Condition(each, place) for each in relations_of(term)]), bindings
         elif term.indicator == BY and BY not in self.methods:
             yield (checked_step(term, place, self.methods.__contains__),), bindings
         elif term.functor in SHAPES and term.args and term.indicator not in self.methods:

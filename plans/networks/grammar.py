@@ -16,7 +16,7 @@ from casper.kb.terms.clauses import Indicator, Production
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import NIL, Compound, Term, predication
 from casper.kb.terms.unification import renamed
-from casper.plans.grammar.conditions import is_condition, relation_of
+from casper.plans.grammar.conditions import is_condition, relations_of
 from casper.plans.grammar.shapes import BY, SHAPES, Order, partial_order, times_of
 from casper.plans.grammar.steps import ONLY_NAMES, checked_action, checked_step
 from casper.plans.trees.nodes import Action, Condition
@@ -108,7 +108,8 @@ class Grammar:
             raise PlanError(f"{term_text(renamed([item], 0)[0])} cannot stand in a plan: {ONLY_NAMES}", place)
         term = predication(item)
         if is_condition(term):
-            return Condition(relation_of(term), place)
+            asked = tuple(Condition(each, place) for each in relations_of(term))
+            return asked[0] if len(asked) == 1 else Group("sequence", asked)
         if term.indicator in self._of:
             return Call(term, place)
         if term.indicator == BY:

@@ -24,6 +24,7 @@ class Tables:
 
     def __init__(self, grammar: Grammar) -> None:
         self.grammar = grammar
+        self._reached: dict[tuple[Indicator, ...], Mapping[Indicator, Place]] = {}
 
     # --- how few leaves --------------------------------------------------------------------------------------------
 
@@ -225,8 +226,14 @@ class Tables:
 
     # --- what is reached -------------------------------------------------------------------------------------------
 
-    def reached(self, goals: list[Indicator]) -> dict[Indicator, Place]:
+    def reached(self, goals: tuple[Indicator, ...]) -> Mapping[Indicator, Place]:
         """The actions below the goals, in the order in which a reader meets them."""
+        known = self._reached.get(goals)
+        if known is None:
+            known = self._reached[goals] = self._below(goals)
+        return known
+
+    def _below(self, goals: tuple[Indicator, ...]) -> dict[Indicator, Place]:
         found: dict[Indicator, Place] = {}
         seen: set[Indicator] = set()
         waiting: list[Item | Indicator] = list(reversed(goals))

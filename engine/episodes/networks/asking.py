@@ -6,10 +6,10 @@ where rules look at did/2 until something else has been observed.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from casper.engine.episodes.networks.terms import Env, numbered, outward, resolve, slots_of, unified
+from casper.engine.episodes.networks.terms import Env, Slot, numbered, outward, resolve, slots_of, unified
 from casper.engine.verification.conditions import Conditions
 from casper.kb.base import KnowledgeBase
 from casper.kb.reasons.why_not import Refusal
@@ -50,6 +50,9 @@ class Asking:
             self._joined: dict[Any, Env | Failed] = {}
             self._domains: dict[Asked, dict[Any, frozenset[Any]]] = {}
             self._verdicts: dict[tuple[int, str, Any], tuple[str, ...]] = {}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Asking, (self.kb, self.past)
 
     @property
     def now(self) -> int:
@@ -130,7 +133,7 @@ class Asking:
                 env = together
         return env, tuple(dict.fromkeys(waiting))
 
-    def needed(self, waiting: Sequence[Asked], env: Env, used: Any) -> tuple[Asked, ...] | Failed:
+    def needed(self, waiting: Sequence[Asked], env: Env, used: Collection[Slot]) -> tuple[Asked, ...] | Failed:
         """The open conditions that may still make a difference: not those that others satisfy, whatever becomes of
         ``used``.
 
@@ -138,7 +141,6 @@ class Asking:
         """
         if self.kb is None or not waiting:
             return tuple(waiting)
-        used = slots_of(resolve(used, env), {})
         groups: list[tuple[set[Any], list[Asked]]] = []
         for moment, relation in waiting:
             relation = resolve(relation, env)

@@ -26,6 +26,7 @@ from casper.engine.episodes.networks.terms import (
     SEQ,
     Env,
     Row,
+    Slot,
     filled,
     moved,
     numbered,
@@ -55,6 +56,7 @@ class Taken(NamedTuple):
     leaf: Any
     is_theirs: bool
     due: tuple[Asked, ...]
+    settled: int = 0  # arguments of the leaf of which nothing was known
 
 
 class Grown(NamedTuple):
@@ -67,6 +69,7 @@ class Grown(NamedTuple):
     missed: int
     is_theirs: bool
     slots: int
+    settled: int
 
 
 class Growth:
@@ -116,9 +119,7 @@ class Growth:
                 if self.reach(item, budget - missed):
                     for taken in self.item(item, before, budget - missed, barred):
                         rest = (*taken.rest, *row[at + 1 :])
-                        yield Taken(
-                            taken.env, rest, missed + taken.missed, taken.leaf, taken.is_theirs, (*due, *taken.due)
-                        )
+                        yield taken._replace(rest=rest, missed=missed + taken.missed, due=(*due, *taken.due))
             passed = [
                 (after, missed + more, (*due, *asked))
                 for before, missed, due in passed
@@ -173,7 +174,9 @@ class Growth:
             for reason in refused:
                 self._note(reason)
             return None
-        return Taken(after, (), 0, leaf, by is not None, ())
+        before = resolve(term, env)
+        settled = sum([old.__class__ is Slot and new.__class__ is not Slot for old, new in zip(before, leaf)])
+        return Taken(after, (), 0, leaf, by is not None, (), settled)
 
     def _group(self, item: Any, env: Env, budget: int, barred: Barred) -> Iterator[Taken]:
         _, items, before = item
@@ -191,7 +194,7 @@ class Growth:
             for start, missed, due in self.passing_row(earlier, env, budget):
                 for taken in self.item(each, start, budget - missed, barred):
                     rest = left_of(items, before, at, taken.rest)
-                    yield Taken(taken.env, rest, missed + taken.missed, taken.leaf, taken.is_theirs, (*due, *taken.due))
+                    yield taken._replace(rest=rest, missed=missed + taken.missed, due=(*due, *taken.due))
 
     def _repeated(self, item: Any, env: Env, budget: int, barred: Barred) -> Iterator[Taken]:
         _, each, least, most = item
@@ -257,7 +260,7 @@ class Growth:
         after = env.copy()
         for name, value in zip(names, values):
             after[name] = value
-        return Taken(after, rest, grown.missed, leaf, grown.is_theirs, due)
+        return Taken(after, rest, grown.missed, leaf, grown.is_theirs, due, grown.settled)
 
     def _grow(self, term: Any, budget: int, circle: int) -> list[Grown]:
         """What a task with its slots numbered from 0 makes of the observation."""
@@ -347,7 +350,7 @@ class Growth:
         before = found.get(key)
         if before is None or before.missed > taken.missed:
             values, rest, leaf, open_ = parts
-            found[key] = Grown(values, rest, leaf, open_, taken.missed, taken.is_theirs, len(names))
+            found[key] = Grown(values, rest, leaf, open_, taken.missed, taken.is_theirs, len(names), taken.settled)
 
     def _bodies(self, term: Any, slots: int) -> Iterator[tuple[Row, Env]]:
         """The bodies of the methods that fit a task whose slots are numbered from 0."""

@@ -11,9 +11,10 @@ equal states are one step, with the fewest misses.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from casper.engine.episodes.growing import Step
+from casper.engine.collaboration.collaboration import CollaborativePlan, longest_run
+from casper.engine.episodes.growing import Step, Taken
 from casper.engine.episodes.networks.asking import Asked, Asking, Failed
 from casper.engine.episodes.networks.compiling import indicator
 from casper.engine.episodes.networks.frontier import Frontier, Leaf
@@ -29,25 +30,32 @@ from casper.engine.episodes.networks.terms import (
     inward,
     numbered,
     outward,
-    slots_of,
 )
 from casper.engine.verification.observation import Observation, Seen, options_of
+from casper.kb.errors import PlanError
 from casper.kb.terms.clauses import Indicator
-from casper.kb.terms.terms import Compound, Variable
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, Variable, as_term
 from casper.kb.terms.unification import is_ground, variables_of
 from casper.plans.networks.tables import Tables
+from casper.plans.trees.nodes import Action
+
+if TYPE_CHECKING:
+    import networkx as nx
 
 MOST_MISSED = 1  # leaves that may go unseen between two observations
 MOST_KEPT = 50_000  # of anything that is remembered of states
 
 
 class State(NamedTuple):
-    """A goal's number, its term, the row of its open items, and the conditions that wait for values."""
+    """A goal's number, its term, the row of its open items, the conditions that wait for values; how many slots it has.
+    """
 
     goal: int
     term: Any
     rest: Row
     open: tuple[Asked, ...]
+    slots: int
 
 
 class Networks:
@@ -97,7 +105,7 @@ class Networks:
 
     def leaves(self) -> Sequence[Compound]:
         """The actions of the plans, each once, with variables where parameters stand."""
-        found = self.tables.reached([(term[0], len(term) - 1) for _, term in self._goals])
+        found = self.tables.reached(tuple([indicator(term) for _, term in self._goals]))
         return [Compound((name, *(Variable(f"X{at + 1}") for at in range(arity)))) for name, arity in found]
 
     def begins_with(self, seen: Seen) -> Iterable[int]:
@@ -116,23 +124,29 @@ class Networks:
         due = (self.asking.due(("goal", term if len(term) > 1 else term[0])),) if asks else ()
         settled = self.asking.settled(due, {})
         env, still = ({}, due) if isinstance(settled, Failed) else settled  # a goal that nothing allows takes nothing
-        return State(goal, *numbered((term, ((CALL, term),), still), env, {}))
+        names: dict[Slot, Slot] = {}
+        term, rest, still = numbered((term, ((CALL, term),), still), env, names)
+        return State(goal, term, rest, still, len(names))
 
-    def steps(self, state: State, seen: Seen, agent: str | None) -> Iterable[Step[State]]:
+    def steps(self, state: State, seen: Seen, agent: str | None) -> Sequence[Step[State]]:
         """Every way in which the instance can take the observation, each state once."""
         found: dict[tuple[State, float], Step[State]] = {}
-        for option, likelihood in options_of(seen):
-            for step in self._option_steps(state, option, agent or self.partner):
-                key = step.state, likelihood
-                if key not in found or found[key].missed > step.missed:
-                    found[key] = step._replace(weight=likelihood)
+        try:
+            for option, likelihood in options_of(seen):
+                for step in self._option_steps(state, option, agent or self.partner):
+                    key = step.state, likelihood
+                    if key not in found or found[key].missed > step.missed:
+                        found[key] = step._replace(weight=likelihood)
+        except RecursionError:
+            label = self._goals[state.goal][0]
+            raise PlanError(f"the plans of {label} are nested too deeply to be grown") from None
         return list(found.values())
 
     def _option_steps(
         self, state: State, option: Observation, agent: str | None, noted: list[str] | None = None
     ) -> Iterable[Step[State]]:
         growth = self._growth(option, agent, noted)
-        growth.fresh = len(slots_of(state[1:], {}))
+        growth.fresh = state.slots
         growth.was_cut = False
         doing = [(Compound((option.action, agent or "", *(option.args or ()))), 0.0)]
         for taken in growth.row(state.rest, {}, self.most_missed, FREE):
@@ -143,16 +157,18 @@ class Networks:
                     noted.extend(settled.reasons)
                 continue
             env, still = settled
-            needed = self.asking.needed(still, env, (state.term, taken.rest))
+            names: dict[Slot, Slot] = {}
+            term, rest = numbered((state.term, taken.rest), env, names)
+            needed = self.asking.needed(still, env, names)
             if isinstance(needed, Failed):
                 if noted is not None:
                     noted.extend(needed.reasons)
                 continue
             if not growth.can_close(taken.rest, env, needed):
                 continue
-            term, rest, still, leaf = numbered((state.term, taken.rest, needed, taken.leaf), env, {})
-            after = State(state.goal, term, rest, still)
-            yield Step(after, taken.missed, outward(leaf), 1.0, taken.is_theirs)
+            after = State(state.goal, term, rest, numbered(needed, env, names), len(names))
+            leaf = numbered(taken.leaf, env, names)
+            yield Step(after, taken.missed, outward(leaf), 1.0, taken.is_theirs, taken.settled)
         self.was_cut = self.was_cut or growth.was_cut
 
     def _growth(self, option: Observation, agent: str | None, noted: list[str] | None = None) -> Growth:
@@ -207,7 +223,7 @@ class Networks:
         if self.methods.least_of_row(state.rest):
             return False
         growth = self._growth(Observation("", ()), None)
-        growth.fresh = len(slots_of(state[1:], {}))
+        growth.fresh = state.slots
         passed = growth.passing_row(state.rest, {}, 0)
         return any(not isinstance(self.asking.settled((*state.open, *due), env), Failed) for env, _, due in passed)
 
@@ -229,6 +245,78 @@ class Networks:
     def rest(self, state: State) -> Sequence[Compound]:
         """A smallest rest in an order that the plan allows, bound as far as is known."""
         return [outward(leaf.action) for leaf in self.coming(state)]
+
+    def leaves_left(self, state: State) -> Sequence[Action]:
+        """As `rest`, with who does each leaf."""
+        coming = self.coming(state)
+        return [Action(outward(leaf.action), by=None if leaf.by is None else outward(leaf.by)) for leaf in coming]
+
+    def next_leaves(self, state: State) -> Sequence[Compound]:
+        """What could come next without a miss; of what a task may begin with the name, with open arguments."""
+        found: set[Any] = set()
+        names: set[Indicator] = set()
+        self.methods.add_first(state.rest, found, names)
+        others = names - {indicator(action) for action in found}
+        general = [Compound((name, *(Variable("_#1") for _ in range(arity)))) for name, arity in sorted(others)]
+        return [*sorted(map(outward, found), key=_text), *general]
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What it was made of: what was worked out is worked out anew where it arrives."""
+        return {**self.__dict__, "_growths": {}, "_choices": {}, "methods": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self.methods = Methods(self.tables)
+
+    def part(self, state: State, agent: str) -> CollaborativePlan | None:
+        """What the agent can do of the rest, and what it waits for; None where nothing is left.
+
+        A leaf counts as possible when the knowledge base lets the agent do it as things are: what comes before it is
+        not yet done, so where rules look at did/2 it is asked again when its turn comes.
+        """
+        coming = self.coming(state)
+        if not coming:
+            return None
+        label, before = self._goals[state.goal][0], [leaf.before for leaf in coming]
+        able = [at for at, leaf in enumerate(coming) if self._may(leaf, agent)]
+        run = longest_run(able, [at for at in range(len(coming)) if at not in able], before)
+        needed = -1 if not run else 0
+        for at in run:
+            needed |= before[at]
+        awaited = tuple(at for at in range(len(coming)) if needed >> at & 1 and at not in run)
+        actions = [outward(leaf.action) for leaf in coming]
+        waiting, theirs = tuple(actions[at] for at in awaited), tuple(actions[at] for at in run)
+        return CollaborativePlan(agent, label, waiting, theirs, run, awaited)
+
+    def _may(self, leaf: Leaf, agent: str) -> bool:
+        """Whether a leaf is the agent's to do, and the knowledge base knows that it can; without one nobody can."""
+        who = self.robot if leaf.by == "robot" and self.robot is not None else leaf.by
+        others = who is not None and who.__class__ is not Slot and who != agent
+        return self.asking.kb is not None and not others and not self.asking.refusal(leaf.action, agent)
+
+    def tree(self, goal: int, history: Sequence[Taken[State]]) -> nx.DiGraph:
+        """The goal with the leaves that were observed, in order, and a smallest rest (attributes: `plans.trees.tree`).
+
+        Which tasks lie between is not decided while they are grown, so none are shown; missed leaves have no node.
+        """
+        import networkx as nx
+
+        state = history[-1].step.state if history else self.begin(goal)
+        rows = [(taken.step.leaf, "observed", taken.agent if taken.step.is_theirs else None) for taken in history]
+        rows += [(outward(leaf.action), "unobserved", leaf.by and outward(leaf.by)) for leaf in self.coming(state)]
+        told = self.goal_of(state)
+        tree: nx.DiGraph = nx.DiGraph()
+        common = {"optional": False, "rival": None}
+        shared = "observed" if all(status == "observed" for _, status, _ in rows) else "unobserved"
+        tree.add_node(
+            0, term=_text(told), name=told.functor, kind="goal", leaf=None, status=shared, by=None, **common
+        )
+        for number, (leaf, status, by) in enumerate(rows, 1):
+            who = None if by is None else term_text(by)
+            node = {"term": _text(leaf), "name": leaf.functor, "kind": "action", "leaf": number - 1}
+            tree.add_node(number, **node, status=status, by=who, **common)
+            tree.add_edge(0, number)
+        return tree
 
     def reasons(self, state: State, seen: Seen, agent: str | None) -> Sequence[str]:
         """Why the instance cannot take the observation."""
@@ -274,3 +362,7 @@ class Networks:
             other.asking = self.asking.forked()
             other._growths = {}
         return other
+
+
+def _text(action: Compound) -> str:
+    return term_text(as_term(action))
