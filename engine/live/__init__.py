@@ -7,3 +7,4 @@ from casper.engine.live.partners import Partners as Partners
 from casper.engine.live.renewal import Live as Live
 from casper.engine.live.renewal import renewed as renewed
 from casper.engine.live.reports import heard as heard
+from casper.engine.live.segmenting import by_day as by_day

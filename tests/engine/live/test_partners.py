@@ -6,7 +6,7 @@ import pytest
 
 from casper import Domain, Mind
 from casper.cli.watching.watch import watched
-from casper.engine.live import Live, Partners
+from casper.engine.live import Live, Partners, by_day
 from casper.engine.perception.world import AgentState, ObjectState, WorldState, world_state_to_json
 from casper.engine.verification.observation import Observation
 from casper.kb.errors import DomainError
@@ -220,3 +220,11 @@ def test_partners_follow_the_files_of_their_domain(home):
     expected = [e.to_json() for e in told(undisturbed, states()) if e.type in kinds]
     assert [e.to_json() for e in events if e.type in kinds] == expected
     assert live.mind.summary() == undisturbed.summary()
+
+
+def test_a_day_s_hypotheses_may_place_the_actions_of_all_partners(home):
+    domain = Domain.load(home)
+    by_sight = told(Partners(domain), states())
+    by_day_ = told(Partners(domain, segments=by_day(domain)), states())
+    goals = [[(e.data["agent"], e.data["goal"]) for e in events if e.type == "prediction"] for events in (by_sight, by_day_)]
+    assert goals[0] == goals[1] and len(goals[0]) == 2
