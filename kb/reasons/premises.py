@@ -30,13 +30,15 @@ class Premises:
     """A search for the rows behind a row.
 
     Args:
-        relations: all rows.
+        relations: all rows, with their rounds.
+        settled: the relations with their undefined rows, too: what nothing proves is neither among those.
         earlier: predicates of which only rows from before the round count.
         round: in which the row appeared.
         budget: rows that may be looked at.
     """
 
     relations: Mapping[Indicator, Relation]
+    settled: Mapping[Indicator, Relation]
     earlier: Collection[Indicator]
     round: int
     budget: int
@@ -110,7 +112,8 @@ class Premises:
                 yield extended
 
     def _relation(self, literal: Literal) -> Relation:
-        relation = None if literal.is_aggregate else self.relations.get(literal.atom.indicator)
+        everything = self.settled if literal.negated else self.relations
+        relation = None if literal.is_aggregate else everything.get(literal.atom.indicator)
         if relation is None or relation.undefined is not None:
             raise NotLookedUp
         return relation

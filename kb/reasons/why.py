@@ -132,7 +132,7 @@ def _earlier_body(atom: Compound, clause: Clause, known: _Known, everywhere: boo
     earlier = {x.needed for x in clause.body if x.needed is not None and not x.is_strict}
     earlier = earlier if within is None else earlier & within
     try:
-        return Premises(known.relations, earlier, round_, known.solver.budget).of(atom, clause)
+        return Premises(known.relations, known.solver.relations, earlier, round_, known.solver.budget).of(atom, clause)
     except NotLookedUp:
         return _searched_body(atom, clause, known, earlier, round_)
 

@@ -44,7 +44,7 @@ def test_they_are_an_instance_of_the_rule_that_holds_among_earlier_rows(text):
                 atom, round_ = Compound((indicator[0], *row)), relation.round_of(row)
                 earlier = {x.needed for x in rule.body if x.needed is not None and not x.is_strict}
                 try:
-                    found = Premises(model.relations, earlier, round_, 10_000).of(atom, rule)
+                    found = Premises(model.relations, model.relations, earlier, round_, 10_000).of(atom, rule)
                 except NotLookedUp:
                     continue
                 bindings = unify(rule.head, atom, {})
@@ -65,11 +65,17 @@ def test_what_is_counted_is_left_to_a_search():
     model = KnowledgeBase.from_text("many(N) :- aggregate_all(count, human(_), N). human(ann).")._model
     (rule,) = model.program.rules["many", 1]
     with pytest.raises(NotLookedUp):
-        Premises(model.relations, set(), 9, 100).of(Compound(("many", 1)), rule)
+        Premises(model.relations, model.relations, set(), 9, 100).of(Compound(("many", 1)), rule)
 
 
 def test_an_expression_without_a_value_gives_no_premises():
     model = KnowledgeBase.from_text("half(X, Y) :- n(X), Y is 1 // X. n(0). n(1).")._model
     (rule,) = model.program.rules["half", 2]
-    assert Premises(model.relations, set(), 9, 100).of(Compound(("half", 0, 0)), rule) is None
-    assert Premises(model.relations, set(), 9, 100).of(Compound(("half", 1, 1)), rule) is not None
+    assert Premises(model.relations, model.relations, set(), 9, 100).of(Compound(("half", 0, 0)), rule) is None
+    assert Premises(model.relations, model.relations, set(), 9, 100).of(Compound(("half", 1, 1)), rule) is not None
+
+
+def test_an_absence_that_is_undefined_is_no_premise():
+    text = "n(0). half(X, Y) :- n(X), Y is 4 / X. ok(X) :- n(X), \\+ (half(X, _), n(X)). ok(X) :- n(X), X < 1."
+    proof = KnowledgeBase.from_text(text).why("ok(0)")
+    assert [str(premise.literal.atom) for premise in proof.premises] == ["n(0)", "0 < 1"]
