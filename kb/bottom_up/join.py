@@ -45,9 +45,7 @@ class Join:
         self, clause: Clause, delta_at: int | None = None, *, bound_head: bool = False, negations: bool = True
     ) -> None:
         self.clause = clause
-        self._slots: Slots = {}
-        for variable in clause.variables():
-            self._slots.setdefault(variable, CONTEXT + len(self._slots))
+        self._slots: Slots = {variable: slot for slot, variable in enumerate(clause.variables(), CONTEXT)}
         known = set(variables_of(clause.head)) if bound_head else set()
         body = [
             (x, at, at == delta_at)
@@ -57,15 +55,16 @@ class Join:
         tested = [_apart(x) for x, _, is_delta in body if is_delta and x.negated and negations]
         for variable in (v for x in tested for v in x.variables()):
             self._slots.setdefault(variable, CONTEXT + len(self._slots))
-        self._head = Binder([(c, arg) for c, arg in enumerate(clause.head.args)], NOBODY, self._slots)
+        head = clause.head.args if bound_head else ()
+        self._head = Binder(list(enumerate(head)), NOBODY, self._slots)
         self._step = self._compiled([*body, *((x, -1, False) for x in tested)], known)
 
     def _compiled(self, body: list[tuple[Literal, int, bool]], known: set[Variable]) -> Step:
         bound = [set(known)]
-        for literal, _, is_delta in body:
+        for literal, _, is_delta in body[:-1]:
             bound.append(bound[-1] | (set(variables_of(literal.atom)) if is_delta else literal.binds()))
         step = self._emit_step()
-        for (literal, _, is_delta), before in zip(reversed(body), reversed(bound[:-1])):
+        for (literal, _, is_delta), before in zip(reversed(body), reversed(bound)):
             step = self._condition(literal, before, is_delta, step)
         return step
 
@@ -125,7 +124,7 @@ class Join:
         if literal.is_aggregate:
             return aggregate_step(literal, known, self._slots, then)
         indicator, args = literal.atom.indicator, literal.atom.args
-        columns = tuple(c for c, arg in enumerate(args) if set(variables_of(arg)) <= known)
+        columns = tuple([c for c, arg in enumerate(args) if _is_known(arg, known)])
         key = row_builder([args[c] for c in columns], self._slots)
         bind = Binder([(c, arg) for c, arg in enumerate(args) if c not in columns], known, self._slots)
 
@@ -145,6 +144,11 @@ class Join:
                 then(environment)
 
         return scan if is_delta else absent if literal.negated else lookup
+
+
+def _is_known(term: Term, known: Set[Variable]) -> bool:
+    """Whether a term has no variables but known ones."""
+    return term in known if type(term) is Variable else all(v in known for v in variables_of(term))
 
 
 def _apart(literal: Literal) -> Literal:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Set
+from collections.abc import Callable, Collection, Iterable, Set
 from typing import Any, TypeAlias
 
 from casper.kb.relations.relation import Row
@@ -11,7 +11,7 @@ from casper.kb.terms.comparison import compare, compiled_test
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify, variables_of
 from casper.kb.terms.unknown import UNKNOWN, may_equal
-from casper.kb.terms.values.aggregates import aggregate
+from casper.kb.terms.values.aggregates import aggregate, of_values
 from casper.kb.terms.values.arithmetic import EvaluationFailed, compiled
 
 Environment: TypeAlias = list[Any]  # relations, delta rows, emit, absent, failed; then a value for each slot
@@ -92,19 +92,21 @@ def aggregate_step(literal: Literal, known: Set[Variable], slots: Slots, then: S
     given = [(v, slots[v]) for v in literal.variables() if v in known]
     after = [(v, slots[v]) for v in variables_of(result) if v not in known]
     everything = [(v, slots[v]) for v in known if v in slots]
+    of_rows = _of_rows(what, rest) if bind.pairs is not None else None
+
+    def answers(rows: Iterable[Row], bindings: Bindings, environment: Environment) -> list[Bindings]:
+        return [
+            {**bindings, **{v: environment[slot] for v, slot in own}} for row in rows if bind(row, environment)
+        ]
 
     def work_out(environment: Environment) -> None:
         relation, wanted = environment[0][atom.indicator], key(environment)
         if relation.undefined is not None and relation.undefined.matching(columns, wanted):
             return
         bindings = {v: environment[slot] for v, slot in given}
-        answers = [
-            {**bindings, **{v: environment[slot] for v, slot in own}}
-            for row in relation.matching(columns, wanted)
-            if bind(row, environment)
-        ]
+        rows = relation.matching(columns, wanted)
         try:
-            value = aggregate(what, answers)
+            value = of_rows(rows) if of_rows is not None else aggregate(what, answers(rows, bindings, environment))
         except EvaluationFailed:
             if environment[4] is not None:
                 environment[4]({v: environment[slot] for v, slot in everything})
@@ -116,6 +118,16 @@ def aggregate_step(literal: Literal, known: Set[Variable], slots: Slots, then: S
             then(environment)
 
     return work_out
+
+
+def _of_rows(what: Term, rest: list[tuple[int, Term]]) -> Callable[[Collection[Row]], Term | None] | None:
+    """What rows amount to whose open columns are different variables; None where that is more than one column tells."""
+    if what == "count":
+        return len
+    if not isinstance(what, Compound) or what.arity != 1:
+        return None
+    way, column = what.functor, next((c for c, variable in rest if variable == what[1]), None)
+    return None if column is None else lambda rows: of_values(way, [row[column] for row in rows])
 
 
 def row_builder(terms: list[Term], slots: Slots) -> Callable[[Environment], Row]:

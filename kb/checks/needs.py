@@ -7,7 +7,7 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 from casper.kb.checks.finding import Finding, note
-from casper.kb.program.strata import needs
+from casper.kb.program.strata import components_of, needs
 from casper.kb.program.strata import negative_circles as circles_of
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator
 
@@ -28,10 +28,11 @@ def needs_graph(clauses: Iterable[Clause]) -> nx.DiGraph:
 
 def negative_circles(clauses: Collection[Clause]) -> Iterator[Finding]:
     """Every circle that negation runs in, once for each group of predicates: there something may be undefined."""
-    table: dict[Indicator, list[Clause]] = {}
+    found: dict[Indicator, list[Clause]] = {}
     for clause in clauses:
-        table.setdefault(clause.head.indicator, []).append(clause)
-    for _, literal, circle in circles_of({indicator: tuple(found) for indicator, found in table.items()}):
+        found.setdefault(clause.head.indicator, []).append(clause)
+    table = {indicator: tuple(of_one) for indicator, of_one in found.items()}
+    for _, literal, circle in circles_of(table, components_of(table)):
         yield note(literal.place, f"negation runs in a circle: {circle}; what the facts do not settle is undefined")
 
 

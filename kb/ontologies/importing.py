@@ -20,8 +20,9 @@ from casper.kb.ontologies.reading.source import read_ontology
 from casper.kb.ontologies.vocabulary.anonymous import relabelled
 from casper.kb.ontologies.vocabulary.names import renamed
 from casper.kb.ontologies.writing import MAIN, NAMES, names_text, ontology_text
+from casper.kb.store.loading import loading
 from casper.kb.terms.clauses import Directive
-from casper.kb.text.reader import read_text
+from casper.kb.text.reader import read_blocks
 from casper.kb.text.sources import Sources
 
 
@@ -39,10 +40,12 @@ class Imported:
     def knowledge_base(self) -> KnowledgeBase:
         """What the texts say, without writing them."""
         kb = KnowledgeBase()
-        for name, text in self.files.items():
-            read = read_text(text, name)
-            kb.add(s for s in read if not (isinstance(s, Directive) and s.term.functor == "include"))
-        kb.compile()
+        with loading():
+            for name, text in self.files.items():
+                read, blocks = read_blocks(text, name)
+                kb.add(s for s in read if not (isinstance(s, Directive) and s.term.functor == "include"))
+                kb.add_blocks(blocks)
+            kb.compile()
         return kb
 
     def write(self, folder: Path, *, replace: bool = False) -> list[Finding]:

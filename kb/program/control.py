@@ -13,11 +13,12 @@ from itertools import product
 
 from casper.kb.errors import Place, ProgramError
 from casper.kb.program.listing import is_range_restricted
+from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import AGGREGATE, AUXILIARY, Clause, Literal
 from casper.kb.terms.control import CONTROL
-from casper.kb.terms.syntax import term_text
+from casper.kb.terms.syntax import COMPARISONS, term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
-from casper.kb.terms.unification import Bindings, substitute, variables_of
+from casper.kb.terms.unification import Bindings, is_ground, substitute, variables_of
 from casper.kb.terms.values.aggregates import check_way
 
 _FAILS = Compound(("=", "true", "fail"))
@@ -112,7 +113,10 @@ class _Plain:
         inner = predication(goal)
         open_ = before | set(variables_of(what)) | _answered(_alternatives(inner, False, leaf.place))
         arguments = [v for v in variables_of(inner, what) if v in open_]
-        atom = self._auxiliary(inner, arguments, set(variables_of(what)) | before, leaf.place, around)
+        if _is_plain(inner) and [arg for arg in inner.args if not is_ground(arg)] == arguments:
+            atom = inner  # different variables and constants: its rows are those of the auxiliary predicate
+        else:
+            atom = self._auxiliary(inner, arguments, set(variables_of(what)) | before, leaf.place, around)
         own: Bindings = {}
         for variable in arguments:
             if variable not in before:  # as in Prolog it is the goal's own, whatever comes later
@@ -142,6 +146,13 @@ class _Plain:
 def _shown(leaf: Literal) -> Term:
     """What a condition shows of itself to the others: of an aggregate its result, the rest is its own."""
     return leaf.atom[3] if leaf.atom.indicator in _AGGREGATES else leaf.atom
+
+
+def _is_plain(goal: Compound) -> bool:
+    """Whether a goal is one condition that is looked up among the rows of a predicate."""
+    name, arity = goal.indicator
+    control = is_control(Literal(goal)) or name in (",", ";", ":", "!", "call", "true", "fail", "false")
+    return not control and goal.indicator not in BUILTINS and not (name in COMPARISONS and arity == 2)
 
 
 def _answered(bodies: Iterable[Sequence[Literal]]) -> set[Variable]:

@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 
-from casper.kb.program.strata import circular
+from casper.kb.program.strata import Groups, Table, circular
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Variable
 from casper.kb.terms.unification import is_ground, variables_of
 
 
-def unlisted(table: Mapping[Indicator, tuple[Clause, ...]], least: Collection[Indicator] = ()) -> set[Indicator]:
-    """Predicates whose rows cannot all be listed: an unbound head variable, or recursion that builds terms."""
-    found = {i for i, clauses in table.items() if not all(is_range_restricted(c) for c in clauses)}
-    for indicator in circular(table):
-        if indicator in least:
-            continue  # one row for each key: what grows there is better each time
-        if any(_builds(c.head) or any(_computes(x) for x in c.body) for c in table[indicator]):
-            found.add(indicator)
-    return found
+def unlisted(table: Table, groups: Groups, least: Collection[Indicator] = ()) -> set[Indicator]:
+    """Predicates whose rows cannot all be listed: an unbound head variable, or recursion that builds terms.
+
+    Args:
+        groups: those of the table (`kb.program.strata.components_of`).
+        least: one row for each key: what grows there is better each time.
+    """
+    open_ = {i for i, clauses in table.items() if not all(map(is_range_restricted, clauses))}
+    growing = {i for i, clauses in table.items() if i not in least and any(map(_grows, clauses))}
+    return open_ | (growing & circular(table, groups) if growing else growing)
+
+
+def _grows(clause: Clause) -> bool:
+    """Whether a clause makes a term that stands nowhere else."""
+    return _builds(clause.head) or any(map(_computes, clause.body))
 
 
 def _builds(head: Compound) -> bool:
@@ -33,13 +39,16 @@ def _computes(literal: Literal) -> bool:
 def is_range_restricted(clause: Clause) -> bool:
     """Whether positive conditions bind every variable of the head, of the comparisons and of the negations."""
     bound: set[Variable] = set()
+    tested: list[Literal] = []
     for literal in clause.body:
-        if not literal.is_strict and not literal.is_comparison:
+        if literal.is_strict or literal.is_comparison:
+            tested.append(literal)
+        else:
             bound.update(literal.variables())
-    grown = True
+    grown = bool(tested)
     while grown:
         grown = False
-        for literal in clause.body:
+        for literal in tested:
             if literal.is_aggregate and bound.issuperset(literal.strict_variables()) and not literal.binds() <= bound:
                 bound |= literal.binds()
                 grown = True
@@ -51,7 +60,7 @@ def is_range_restricted(clause: Clause) -> bool:
                 bound |= new
                 grown = True
     needed = set(variables_of(clause.head))
-    for literal in clause.body:
+    for literal in tested:
         if literal.is_comparison:
             needed.update(literal.variables())
         elif literal.is_strict:

@@ -121,16 +121,17 @@ def is_given(clause: Clause) -> bool:
 
 def _split(rules: Mapping[Indicator, tuple[Clause, ...]], least: Mapping[Indicator, Moded]) -> _Split:
     """The strata of the stored predicates, and how all others are answered."""
-    levels = levels_of(rules, least)
-    check_least(rules, least)
-    circles = [group for group, _, _ in negative_circles(rules)]
+    groups = components_of(rules)
+    levels = levels_of(rules, groups, least)
+    check_least(rules, groups, least)
+    circles = [group for group, _, _ in negative_circles(rules, groups)]
     situational = dependents(rules, set(SYSTEM))
-    top_down = situational | unlisted(rules, least) | dependents(rules, set(BUILTINS - rules.keys()))
-    top_down = dependents(rules, top_down) | top_down
+    top_down = situational | unlisted(rules, groups, least)
+    top_down |= dependents(rules, top_down | set(BUILTINS - rules.keys()))
     for name, arity in sorted(top_down & least.keys()):
         sentence = f"{name}/{arity} cannot keep one row for each key: its rows cannot all be listed"
         raise ProgramError(sentence)
-    apart = [*circles, *(frozenset(group) for group in components_of(rules) if any(i in least for i in group))]
+    apart = [*circles, *(frozenset(group) for group in groups if any(i in least for i in group))]
     circle_of = {i: number for number, group in enumerate(apart, 1) for i in group}
     by_level: dict[tuple[int, int], list[Indicator]] = {}
     for indicator, level in levels.items():

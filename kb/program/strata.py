@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping
+from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import TypeAlias, TypeVar
 
 from casper.kb.errors import ProgramError
 from casper.kb.terms.clauses import Clause, Indicator, Literal, is_auxiliary
 
 Table: TypeAlias = Mapping[Indicator, tuple[Clause, ...]]
+Groups: TypeAlias = Sequence[Sequence[Indicator]]  # predicates that need one another, each group after what it needs
 Node = TypeVar("Node", bound=Hashable)
 
 
@@ -36,11 +37,14 @@ def needs(clauses: Iterable[Clause]) -> Iterator[Indicator]:
             yield literal.called
 
 
-def circular(table: Table) -> set[Indicator]:
-    """Every defined predicate that needs itself, directly or not."""
-    graph = {indicator: list(needs(clauses)) for indicator, clauses in table.items()}
-    groups = (group for group in components(graph) if len(group) > 1 or group[0] in graph[group[0]])
-    return {indicator for group in groups for indicator in group}
+def circular(table: Table, groups: Groups) -> set[Indicator]:
+    """Every defined predicate that needs itself, directly or not.
+
+    Args:
+        groups: those of the table (`components_of`).
+    """
+    circles = (group for group in groups if len(group) > 1 or group[0] in needs(table[group[0]]))
+    return {indicator for group in circles for indicator in group}
 
 
 def components(graph: Mapping[Node, Iterable[Node]]) -> list[list[Node]]:
@@ -98,13 +102,13 @@ def components_of(table: Table) -> list[list[Indicator]]:
     return components({indicator: list(needs(clauses)) for indicator, clauses in table.items()})
 
 
-def check_least(table: Table, least: Collection[Indicator]) -> None:
+def check_least(table: Table, groups: Groups, least: Collection[Indicator]) -> None:
     """Refuse a recursive minimum or maximum whose circle goes through a negation or a predicate that keeps all rows.
 
     Raises:
         ProgramError: naming the circle.
     """
-    for group in components_of(table) if least else ():
+    for group in groups if least else ():
         moded = [i for i in group if i in least]
         others = [i for i in group if i not in least]
         strict = any(x.is_strict and x.needed in group for i in group for c in table[i] for x in c.body)
@@ -115,7 +119,7 @@ def check_least(table: Table, least: Collection[Indicator]) -> None:
             raise ProgramError(f"{sentence}: {circle}")
 
 
-def levels_of(table: Table, least: Collection[Indicator] = ()) -> dict[Indicator, int]:
+def levels_of(table: Table, groups: Groups, least: Collection[Indicator] = ()) -> dict[Indicator, int]:
     """The stratum of every predicate: at least that of what it needs, above that of what it negates or counts.
 
     Where negation runs in a circle, the circle is above all that it needs, and below all that needs it; so is a
@@ -124,9 +128,9 @@ def levels_of(table: Table, least: Collection[Indicator] = ()) -> dict[Indicator
     Raises:
         ProgramError: an aggregate is part of what it is worked out of; the circle is named.
     """
-    groups = components({indicator: list(needs(clauses)) for indicator, clauses in table.items()})
     group_of = {indicator: at for at, group in enumerate(groups) for indicator in group}
-    negative = {group_of[i] for i, x in _within(table, group_of) if x.negated} | {group_of[i] for i in least}
+    within = list(_within(table, group_of))
+    negative = {group_of[i] for i, x in within if x.negated} | {group_of[i] for i in least}
     levels: dict[Indicator, int] = {}
     for at, group in enumerate(groups):  # what a group needs comes before it
         level = 0
@@ -136,7 +140,7 @@ def levels_of(table: Table, least: Collection[Indicator] = ()) -> dict[Indicator
                 apart = literal.is_strict or at in negative or group_of[needed] in negative
                 level = max(level, levels[needed] + apart)
         levels.update(dict.fromkeys(group, level))
-    for indicator, literal in _within(table, group_of):
+    for indicator, literal in within:
         if literal.is_aggregate:
             names = _circle(table, indicator, literal)
             sentence = f"{literal.atom[0]} is part of what it is worked out of: {names}; break the circle"
@@ -144,9 +148,8 @@ def levels_of(table: Table, least: Collection[Indicator] = ()) -> dict[Indicator
     return levels
 
 
-def negative_circles(table: Table) -> list[tuple[frozenset[Indicator], Literal, str]]:
+def negative_circles(table: Table, groups: Groups) -> list[tuple[frozenset[Indicator], Literal, str]]:
     """The groups of predicates in which negation runs in a circle, each with one such negation and the circle."""
-    groups = components({indicator: list(needs(clauses)) for indicator, clauses in table.items()})
     group_of = {indicator: at for at, group in enumerate(groups) for indicator in group}
     found: dict[int, tuple[Indicator, Literal]] = {}
     for indicator, literal in _within(table, group_of):
@@ -158,9 +161,8 @@ def negative_circles(table: Table) -> list[tuple[frozenset[Indicator], Literal, 
 def _within(table: Table, group_of: Mapping[Indicator, int]) -> Iterator[tuple[Indicator, Literal]]:
     """Every negation and aggregate of something that needs the head in turn, with the head's predicate."""
     for indicator, clauses in table.items():
-        for literal in (x for clause in clauses for x in clause.body):
-            needed = literal.needed
-            if literal.is_strict and needed is not None and group_of.get(needed) == group_of[indicator]:
+        for literal in (x for clause in clauses for x in clause.body if x.is_strict):
+            if literal.needed is not None and group_of.get(literal.needed) == group_of[indicator]:
                 yield indicator, literal
 
 

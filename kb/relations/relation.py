@@ -6,6 +6,7 @@ An index, once built, is kept up as rows come and go, so a lookup touches only r
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
+from operator import itemgetter
 from typing import Any, TypeAlias
 
 from casper.kb.terms.terms import Term
@@ -71,8 +72,13 @@ class Relation:
 
     def _build(self, columns: Columns) -> Index:
         index: Index = {}
-        for row in self.rows:
-            index.setdefault(tuple([row[c] for c in columns]), {})[row] = None
+        picked = map(itemgetter(*columns), self.rows)
+        for key, row in zip(picked if len(columns) > 1 else zip(picked), self.rows):
+            bucket = index.get(key)
+            if bucket is None:
+                index[key] = {row: None}
+            else:
+                bucket[row] = None
         self._indexes[columns] = index
         return index
 

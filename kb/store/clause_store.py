@@ -14,7 +14,7 @@ from casper.kb.store.loading import loading
 from casper.kb.store.stated import Stated, fact_of
 from casper.kb.store.versioned import Versioned, of_one_moment
 from casper.kb.terms.clauses import Clause, Indicator, Sentence
-from casper.kb.terms.origins import Origin
+from casper.kb.terms.origins import FactBlock, Origin
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Variable, as_term, predication
 from casper.kb.terms.unification import is_ground
@@ -42,8 +42,7 @@ class ClauseStore(Versioned):
         with loading():
             sentences, blocks = read_blocks(text, file)
             base.add(sentences)
-            for block in blocks:
-                base._load(block.indicator, block.rows, block)
+            base.add_blocks(blocks)
             base.compile()
         return base
 
@@ -59,6 +58,11 @@ class ClauseStore(Versioned):
             self._forget()
             for sentence in sentences:
                 self._stated.add(sentence)
+
+    def add_blocks(self, blocks: Iterable[FactBlock]) -> None:
+        """Add runs of facts as a large text has them (`kb.text.reader.read_blocks`)."""
+        for block in blocks:
+            self._load(block.indicator, block.rows, block)
 
     def fact(self, fact: Statement) -> None:
         """State a fact: ``kb.fact("food(biscuits)")`` or ``kb.fact(("food", "biscuits"))``.

@@ -86,9 +86,9 @@ def index(program: Program, facts: Mapping[Indicator, Relation]) -> None:
     """Make the indexes that rules will look up by one column, so that the first question need not."""
     for clause in (clause for found in program.rules.values() for clause in found):
         for literal in clause.body:
-            key = literal.atom.indicator
-            if not literal.is_comparison and key in facts and len(facts[key]) > LISTED_UP_TO and key[1] > 1:
-                for column, arg in enumerate(literal.atom.args):
+            key, atom = literal.needed, literal.atom[2] if literal.is_aggregate else literal.atom
+            if key is not None and key in facts and len(facts[key]) > LISTED_UP_TO and key[1] > 1:
+                for column, arg in enumerate(atom.args):
                     if isinstance(arg, Variable) and _is_shared(arg, literal, clause):
                         facts[key].matching((column,), (None,))
 

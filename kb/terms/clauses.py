@@ -66,15 +66,19 @@ class Literal:
     @property
     def is_strict(self) -> bool:
         """Whether all answers of what it needs must be known before it can be decided."""
-        return (self.negated and not self.is_comparison) or self.is_aggregate
+        if self.negated and not self.is_comparison:
+            return True
+        return len(self.atom) == 4 and self.atom[0] == AGGREGATE
 
     @property
     def needed(self) -> Indicator | None:
         """The predicate that is looked up; None for a comparison."""
-        if self.is_comparison:
+        inner = self.atom  # asked of every condition many times while a program is sorted: no calls
+        if len(inner) == 3 and inner[0] in COMPARISONS:
             return None
-        inner: Compound = self.atom[2] if self.is_aggregate else self.atom
-        return inner.indicator
+        if len(inner) == 4 and inner[0] == AGGREGATE:
+            inner = inner[2]
+        return inner[0], len(inner) - 1
 
     @property
     def called(self) -> Indicator | None:

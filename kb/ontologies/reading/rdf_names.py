@@ -81,7 +81,7 @@ class GraphReader:
 
     def subjects(self, kind: str) -> list[Any]:
         """What has this type; the triples count as used."""
-        found = [s for s, o in self.triples.pairs(_TYPE) if o == Iri(kind)]
+        found = self.triples.of_type(Iri(kind))
         self.triples.used.update((s, _TYPE, Iri(kind)) for s in found)
         return found
 
@@ -107,7 +107,7 @@ def read_declarations(reader: GraphReader) -> None:
     for kind_ in (f"{SWRL}Variable", f"{SWRL}Builtin", f"{OWL}DeprecatedClass", f"{OWL}DeprecatedProperty"):
         reader.subjects(kind_)
     for name in _OBJECTS_ONLY:
-        for subject in (s for s, o in reader.triples.pairs(_TYPE) if o == Iri(OWL + name) and isinstance(s, Iri)):
+        for subject in (s for s in reader.triples.of_type(Iri(OWL + name)) if isinstance(s, Iri)):
             reader.ontology.declare(subject.text, Kind.OBJECT)
 
 

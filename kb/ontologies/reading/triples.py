@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from casper.kb.errors import Place, ReadError
@@ -39,6 +40,17 @@ class Triples:
     def pairs(self, predicate: str) -> list[tuple[Any, Any]]:
         """Subjects and values of a predicate."""
         return self._by_predicate.get(predicate, [])
+
+    def of_type(self, kind: Any) -> list[Any]:
+        """The subjects that have this type, in order."""
+        return self._by_type.get(kind, [])
+
+    @cached_property
+    def _by_type(self) -> dict[Any, list[Any]]:
+        found: dict[Any, list[Any]] = {}
+        for subject, kind in self.pairs(f"{RDF}type"):
+            found.setdefault(kind, []).append(subject)
+        return found
 
     def about(self, subject: Any) -> list[tuple[str, Any]]:
         """Every predicate of the subject with its values; all count as used."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from operator import is_
 
 from casper.kb.ontologies.expressions import Anonymous, Axiom, Expression, Ontology, Part, parts_of
 
@@ -11,7 +12,11 @@ _MOST_ROUNDS = 10
 
 def relabelled(ontology: Ontology, label: Callable[[str], str]) -> None:
     """Give every anonymous individual another label."""
-    ontology.axioms = [Axiom(_renamed(x.expression, label), x.place, x.label) for x in ontology.axioms]  # type: ignore[arg-type]
+    renamed = ((x, _renamed(x.expression, label)) for x in ontology.axioms)
+    ontology.axioms = [
+        Axiom(new, x.place, x.label) if isinstance(new, Expression) and new is not x.expression else x
+        for x, new in renamed
+    ]
 
 
 def number_anonymous(ontology: Ontology) -> None:
@@ -21,6 +26,8 @@ def number_anonymous(ontology: Ontology) -> None:
         for part in parts_of(axiom.expression):
             if isinstance(part, Anonymous):
                 about.setdefault(part.label, []).append(axiom.expression)
+    if not about:
+        return
     colours = dict.fromkeys(about, 0)
     for _ in range(_MOST_ROUNDS):
         finer = _refined(about, colours)
@@ -43,8 +50,10 @@ def _refined(about: Mapping[str, list[Expression]], colours: Mapping[str, int]) 
 
 
 def _renamed(part: Part, label: Callable[[str], str]) -> Part:
+    """The part with other labels; the same one where it has none."""
     if isinstance(part, Anonymous):
         return Anonymous(label(part.label))
     if isinstance(part, Expression):
-        return Expression(part.name, tuple(_renamed(arg, label) for arg in part.args))
+        args = [_renamed(arg, label) for arg in part.args]
+        return part if all(map(is_, args, part.args)) else Expression(part.name, tuple(args))
     return part

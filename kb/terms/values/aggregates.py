@@ -41,12 +41,25 @@ def aggregate(what: Term, answers: Sequence[Bindings]) -> Term | None:
     if what == "count":
         return len(answers)
     assert isinstance(what, Compound)
-    if what.functor == "sum":
-        return _sum([evaluate(substitute(what[1], each)) for each in answers])
-    if what.functor in ("bag", "set"):
-        items = sorted((substitute(what[1], each) for each in answers), key=standard_key)
-        return make_list(items if what.functor == "bag" else dict.fromkeys(items))
-    return _extreme(what, answers)
+    if what.arity == 1:
+        return of_values(what.functor, [substitute(what[1], each) for each in answers])
+    return _witnessed(what, answers)
+
+
+def of_values(way: str, values: Sequence[Term]) -> Term | None:
+    """What the values that the answers have amount to, as `aggregate`: ``way`` is sum, min, max, bag or set.
+
+    Raises:
+        EvaluationFailed: an expression has no value.
+    """
+    if way in ("bag", "set"):
+        items = sorted(values, key=standard_key)
+        return make_list(items if way == "bag" else dict.fromkeys(items))
+    are_whole = set(map(type, values)) <= {int}
+    numbers: Sequence[Number] = values if are_whole else list(map(evaluate, values))
+    if way == "sum":
+        return sum(numbers) if are_whole else _sum(numbers)
+    return (min if way == "min" else max)(numbers, default=None)
 
 
 def _sum(values: Sequence[Number]) -> Number:
@@ -57,13 +70,11 @@ def _sum(values: Sequence[Number]) -> Number:
     return total
 
 
-def _extreme(what: Compound, answers: Sequence[Bindings]) -> Term | None:
-    found = [(evaluate(substitute(what[1], each)), substitute(what[-1], each)) for each in answers]
+def _witnessed(what: Compound, answers: Sequence[Bindings]) -> Term | None:
+    """The least or greatest with its witness."""
+    found = [(evaluate(substitute(what[1], each)), substitute(what[2], each)) for each in answers]
     if not found:
         return None
-    choose = min if what.functor == "min" else max
-    best = choose(value for value, _ in found)
-    if what.arity == 1:
-        return best
+    best = (min if what.functor == "min" else max)(value for value, _ in found)
     witness = min((witness for value, witness in found if value == best), key=standard_key)
     return Compound((what.functor, best, witness))

@@ -73,10 +73,9 @@ def _told_apart(text: str, file: str, blocks: BlockReader | None) -> tuple[list[
     plain: list[Sentence] = []
     others: list[_Span] = []
     while True:
-        found = match(text, at)
-        if found is not None and blocks is not None and (end := blocks.run(at)) is not None:
+        if blocks is not None and (end := blocks.run(at)) is not None:
             at = end
-        elif found is not None:
+        elif (found := match(text, at)) is not None:
             plain.append(reader.sentence(found))
             at = found.end()
         else:

@@ -17,9 +17,9 @@ COMMENT = r"%[^\n]*+|/\*[^*]*+(?:\*(?!/)[^*]*+)*\*/"
 SIGNS = r"[#$&*+\-./:<=>?@\\^~]"
 STOP = r"\.(?=\s|%|\Z)"
 _ASCII = r"(?![^\x00-\x7f])"
-_ESCAPE = r"\\(?:x[0-9a-fA-F]++\\?|[0-7]++\\?|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|[\s\S])"
-_QUOTES = "|".join(rf"{quote}(?:[^{quote}\\\n]++|{_ESCAPE}|{quote}{quote})*+{quote}" for quote in "'\"`")
-_CODE = rf"0'(?:{_ESCAPE}|''|[^\\\n])"
+ESCAPE = r"\\(?:x[0-9a-fA-F]++\\?|[0-7]++\\?|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|[\s\S])"
+_QUOTES = "|".join(rf"{quote}(?:[^{quote}\\\n]++|{ESCAPE}|{quote}{quote})*+{quote}" for quote in "'\"`")
+_CODE = rf"0'(?:{ESCAPE}|''|[^\\\n])"
 _NUMBER = rf"""{_CODE}|0x[0-9a-fA-F]++|0o[0-7]++|0b[01]++|\d{{1,2}}'[0-9a-zA-Z]++
     |\d++(?:\.\d++(?:[eE][+\-]?\d++|Inf|NaN)?|[eE][+\-]?\d++)|\d++r\d++|\d++(?:_\d++)*+"""
 WITHIN = rf"{COMMENT}|{_QUOTES}|{_CODE}|\d++\.\d++"

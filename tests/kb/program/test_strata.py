@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from casper.kb.base import KnowledgeBase
-from casper.kb.program.strata import circular, components, dependents, levels_of, needs, negative_circles
+from casper.kb.program.strata import circular, components, components_of, dependents, levels_of, needs, negative_circles
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.terms import Compound
 
@@ -65,17 +65,17 @@ def test_dependents_are_all_that_lead_to_a_root(table, roots):
 
 @given(tables)
 def test_what_is_circular_depends_on_itself(table):
-    assert circular(table) == {i for i in table if i in dependents_by_definition(table, {i})}
+    assert circular(table, components_of(table)) == {i for i in table if i in dependents_by_definition(table, {i})}
 
 
 @given(tables)
 def test_levels_are_the_least_that_put_negations_above_and_circles_apart(table):
-    assert levels_of(table) == levels_by_definition(table)
+    assert levels_of(table, components_of(table)) == levels_by_definition(table)
 
 
 @given(tables)
 def test_every_circle_of_negation_is_found_and_named_once(table):
-    circles = negative_circles(table)
+    circles = negative_circles(table, components_of(table))
     assert {group for group, _, _ in circles} == circles_by_definition(table)
     assert len({group for group, _, _ in circles}) == len(circles)
     for group, literal, named in circles:

@@ -5,7 +5,7 @@ import pytest
 from casper.kb.errors import ProgramError
 from casper.kb.program.listing import is_range_restricted
 from casper.kb.program.program import analyse, is_given
-from casper.kb.program.strata import dependents, levels_of
+from casper.kb.program.strata import components_of, dependents, levels_of
 from casper.kb.terms.clauses import Clause
 from casper.kb.terms.terms import Compound
 from casper.kb.text.reader import read_text
@@ -72,7 +72,7 @@ def test_a_rule_is_bound_when_positive_conditions_give_every_variable_a_value(cl
 
 def test_negation_stands_above_what_it_negates_and_nothing_else_does():
     table = {c.head.indicator: (c,) for c in clauses("a :- b, \\+ c. b :- d. c :- \\+ d. d :- e. e :- d.")}
-    assert {name: level for (name, _), level in levels_of(table).items()} == {"a": 2, "b": 0, "c": 1, "d": 0, "e": 0}
+    assert {name: level for (name, _), level in levels_of(table, components_of(table)).items()} == {"a": 2, "b": 0, "c": 1, "d": 0, "e": 0}
 
 
 def test_strata_come_lowest_first():
