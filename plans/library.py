@@ -18,13 +18,15 @@ from casper.kb.errors import Place, PlanError
 from casper.kb.terms.clauses import Clause, Production, Sentence
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
-from casper.kb.terms.unification import substitute, variables_of
+from casper.kb.terms.unification import renamed, substitute, unify, variables_of
 from casper.kb.text.lines import text_of
 from casper.kb.text.reader import read_statement, read_text
 from casper.kb.text.writer import program_lines, program_text
-from casper.plans.grammar.expansion import MOST_PLANS, expand
-from casper.plans.grammar.shapes import SHAPES
+from casper.plans.grammar.expansion import MOST_PLANS, Unlisted, expand, labels
+from casper.plans.grammar.shapes import items_in
 from casper.plans.grammar.simple import simple_term
+from casper.plans.networks.grammar import Grammar
+from casper.plans.networks.tables import NEVER, Tables
 from casper.plans.trees.plan import Plan
 from casper.plans.trees.spelling import spelled_out
 
@@ -47,11 +49,13 @@ class PlanLibrary:
         self._recursion: Clause | None = None
         self._plans: tuple[Plan, ...] | None = None
         self._ways: tuple[Plan, ...] | None = None
+        self._unlisted: Unlisted | None = None  # why there are no ways to be had
+        self._tables: Tables | None = None
         self.add(sentences)
 
     def __getstate__(self) -> dict[str, Any]:
         """The grammar alone: it is expanded anew where it arrives."""
-        return {**self.__dict__, "_plans": None, "_ways": None}
+        return {**self.__dict__, "_plans": None, "_ways": None, "_tables": None}
 
     @classmethod
     def from_text(cls, text: str, file: str = "<text>") -> PlanLibrary:
@@ -61,7 +65,7 @@ class PlanLibrary:
             ReadError, PlanError: with the place of the first mistake.
         """
         library = cls(read_text(text, file))
-        _ = library.ways
+        library.check()
         return library
 
     def add(self, sentences: Iterable[Sentence]) -> None:
@@ -74,7 +78,7 @@ class PlanLibrary:
             elif isinstance(sentence, Clause) and sentence.head[:-1] == RECURSION:
                 _depth(sentence)
                 self._recursion = sentence
-        self._plans = self._ways = None
+        self._plans = self._ways = self._unlisted = self._tables = None
 
     def plan(self, head: str, *body: str) -> None:
         """State a production: ``library.plan("clean(V)", "pick_and_place(V, sink)", "wash(V, sink)")``."""
@@ -107,6 +111,8 @@ class PlanLibrary:
     @property
     def actions(self) -> dict[tuple[str, int], Place]:
         """The terminals Sigma by name and arity, with the place of the first production that names each."""
+        if not self.is_listed:
+            return self.tables.reached([goal.indicator for goal, _ in self.goal_terms])
         found: dict[tuple[str, int], Place] = {}
         for action in (action for plan in self.ways for action in plan.actions):
             found.setdefault(action.term.indicator, action.place)
@@ -139,16 +145,79 @@ class PlanLibrary:
         A plan keeps its shapes: a task of seventeen partly ordered steps is one plan.
 
         Raises:
-            PlanError: a goal or task without production, a task that contains itself, an empty or endless library.
+            PlanError: a goal or task without production, an empty library, a goal that can only go on for ever.
+            Unlisted: there is no end to the plans, or there are too many (`is_listed` says whether there are any).
         """
+        if self._unlisted is not None:
+            raise self._unlisted
         if self._ways is None:
-            depth = _depth(self._recursion)
-            self._ways = tuple(expand(self._goal_terms(), self._productions, self._most_plans, recursion=depth))
+            depth, stated = _depth(self._recursion), self._recursion is not None
+            if stated:
+                self._check_ends()
+            try:
+                self._ways = tuple(expand(self.goal_terms, self._productions, self._most_plans, recursion=depth))
+            except Unlisted as mistake:
+                self._unlisted = None if stated else mistake
+                raise
         return self._ways
+
+    @property
+    def is_listed(self) -> bool:
+        """Whether `ways` can be had: not of recursion without a stated bound, nor of too many plans.
+
+        What is not listed is read as the grammar it is (`tables`). The attempt takes time linear in the text.
+
+        Raises:
+            PlanError: as `ways`, but for what is too large.
+        """
+        try:
+            return self.ways is not None
+        except Unlisted:
+            if self._unlisted is None:  # the text says how far to unroll
+                raise
+            return False
+
+    @property
+    def tables(self) -> Tables:
+        """The productions as the grammar they are, and what is known of its tasks; nothing is unrolled."""
+        if self._tables is None:
+            self._tables = Tables(Grammar(self._productions))
+        return self._tables
+
+    def check(self) -> None:
+        """Refuse a library that means nothing.
+
+        Raises:
+            PlanError: with the place of the first mistake.
+        """
+        if self.is_listed:
+            return
+        grammar = self.tables.grammar
+        for goal, place in self.goal_terms:
+            if goal.indicator not in grammar:
+                shown = term_text(as_term(goal))
+                raise PlanError(f"the goal {shown} has no production: write {goal.functor} --> …", place)
+            if not any(unify(renamed([m.head], 1)[0], goal, {}) is not None for m in grammar.methods(goal.indicator)):
+                raise PlanError(f"no production fits the goal {term_text(as_term(goal))}", place)
+        _ = grammar.everything  # every body is read
+        self._check_ends()
+        for goal, place in self.goal_terms:
+            if not self.tables.contained[goal.indicator]:
+                raise PlanError(f"a plan of {goal.functor} has no action at all", place)
+
+    def _check_ends(self) -> None:
+        """Refuse goals that nobody could ever finish."""
+        least = self.tables.least
+        for goal, _ in self.goal_terms:
+            if least.get(goal.indicator) == NEVER:
+                circle, place = self.tables.circle_of(goal.indicator)
+                raise PlanError(endless_sentence(circle), place)
 
     @property
     def goals(self) -> tuple[str, ...]:
         """The labels of the goals, in order."""
+        if not self.is_listed:
+            return tuple(labels([goal for goal, _ in self.goal_terms]))
         return tuple(dict.fromkeys(plan.label for plan in self.ways))
 
     def to_text(self) -> str:
@@ -156,7 +225,8 @@ class PlanLibrary:
         settings = [] if self._recursion is None else [self._recursion]
         return program_text([*settings, *self._goals, *self._productions])
 
-    def _goal_terms(self) -> list[tuple[Compound, Place]]:
+    @property
+    def goal_terms(self) -> list[tuple[Compound, Place]]:
         """The stated goals; where none is stated, every task that no production uses."""
         if self._goals:
             stated: dict[Compound, tuple[Compound, Place]] = {}
@@ -166,7 +236,7 @@ class PlanLibrary:
             return list(stated.values())
         used: set[tuple[str, int]] = set()
         for production in self._productions:
-            used.update(_mentioned(production.body))
+            used.update(other for other in _mentioned(production.body) if other != production.head.indicator)
         heads = {p.head.indicator: p for p in reversed(self._productions) if p.head.indicator not in used}
         if self._productions and not heads:
             place = self._productions[0].place
@@ -176,14 +246,15 @@ class PlanLibrary:
         return [(p.head if times[p.head.indicator] == 1 else _general(p.head), p.place) for p in ordered]
 
     def __len__(self) -> int:
-        return len(self.ways)
+        return len(self.ways) if self.is_listed else len(self.goals)
 
     def __str__(self) -> str:
         return text_of(program_lines([*self._goals, *self._productions]))
 
     def __repr__(self) -> str:
         try:
-            return f"<PlanLibrary: {len(self.goals)} goals, {len(self.ways)} plans>"
+            plans = f"{len(self.ways)} plans" if self.is_listed else "plans without end"
+            return f"<PlanLibrary: {len(self.goals)} goals, {plans}>"
         except PlanError:  # not yet whole
             return f"<PlanLibrary: {len(self._productions)} productions>"
 
@@ -196,6 +267,13 @@ def goal_of(clause: Clause) -> Compound:
         shown = term_text(clause.head[1])
         sentence = f"goal({shown}) does not name a goal: write goal(name) or goal(name(Parameter))"
         raise PlanError(sentence, clause.place) from None
+
+
+def endless_sentence(circle: Sequence[tuple[str, int]]) -> str:
+    """That a circle of tasks has no end, and what to do."""
+    shown = " needs ".join(name for name, _ in (*circle, circle[0]))
+    task = circle[0][0]
+    return f"the task {task} can only go on for ever ({shown}): give it a production that ends, such as {task} --> []"
 
 
 def _general_names(goal: Compound) -> Compound:
@@ -221,13 +299,4 @@ def _general(head: Compound) -> Compound:
 
 def _mentioned(body: Term) -> Iterable[tuple[str, int]]:
     """Name and arity of every item of a production's body, through brackets, shapes and alternatives."""
-    waiting, found = [body], []
-    while waiting:
-        item = waiting.pop()
-        if isinstance(item, str):
-            found.append((item, 0))
-        elif isinstance(item, Compound):
-            found.append(item.indicator)
-            if item.functor in SHAPES or item.functor in (".", ":"):  # the lists and labels of steps
-                waiting.extend(item[1:])
-    return found
+    return [predication(item).indicator for item in items_in(body) if isinstance(item, (str, Compound))]

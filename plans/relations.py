@@ -8,6 +8,7 @@
     task(Task)                   the task is done by a production
 
 Each holds for the goals that the knowledge base allows: ``goal(breakfast(F)) :- biscuits(F)`` makes F the biscuits.
+Of a library whose plans have no end, or are too many to be listed, all but task/1 are undefined, and say so.
 Of goals without parameters ``plan_step`` and its like hold the same rows whatever the knowledge base says of the goal.
 """
 
@@ -29,8 +30,15 @@ RELATIONS = (
 )
 
 
+UNLISTED = "unlisted_plans"
+
+
 def plan_clauses(library: PlanLibrary) -> Iterator[Clause]:
     """The clauses of step/3, uses/2, before/3, optional/2, alternative/4 and task/1 for a library, each once."""
+    if not library.is_listed:
+        yield from _undefined()
+        yield from _task_clauses(library)
+        return
     seen: set[Compound] = set()
     general: set[Term] = set()  # relations that have their rule for all goals without parameters
     for plan in library.ways:
@@ -47,6 +55,15 @@ def plan_clauses(library: PlanLibrary) -> Iterator[Clause]:
                 yield _general(row)
             yield Clause(Compound((f"plan_{row[0]}", *row[1:])), (), plan.place)
     yield from _task_clauses(library)
+
+
+def _undefined() -> Iterator[Clause]:
+    """Rules by which the relations are neither true nor false: what they need has no value, and says why."""
+    why = Variable("Why")
+    yield Clause(Compound((UNLISTED, "the plans have no end or are too many, so their steps are not listed")))
+    body = (Literal(Compound((UNLISTED, why))), Literal(Compound(("<", why, 1))))
+    for name, arity in RELATIONS[:5]:
+        yield Clause(Compound((name, *(Variable(f"_#{at}") for at in range(1, arity + 1)))), body)
 
 
 def _rows(plan: Plan) -> Iterator[Compound]:

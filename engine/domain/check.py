@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from pathlib import Path
 
 from casper.engine.domain.check_plans import plans_nobody_can_do
@@ -11,7 +12,7 @@ from casper.engine.domain.domain import FILES, ONTOLOGY, SHIPPED, Domain, build,
 from casper.engine.domain.relations import SHARING_NAMES, SYSTEM_RELATIONS
 from casper.kb.checks.check import Context, check_sentences
 from casper.kb.checks.finding import Finding, Severity, finding_of, sorted_findings
-from casper.kb.errors import CasperError, DomainError, Place
+from casper.kb.errors import CasperError, DomainError, Place, PlanError
 from casper.kb.terms.clauses import Clause, Indicator, Production, Sentence
 from casper.kb.terms.operators import Operators
 from casper.kb.text.files import is_there, read_utf8
@@ -20,6 +21,7 @@ from casper.kb.text.recovery import read_tolerantly
 from casper.kb.text.sources import Sources
 from casper.plans.checks import telling_apart
 from casper.plans.checks.check import check_plans, items_of
+from casper.plans.grammar.conditions import condition_clauses
 from casper.plans.library import GOAL
 from casper.plans.relations import RELATIONS
 
@@ -33,7 +35,7 @@ def check_domain(name: str | Path) -> list[Finding]:
     folder = find_domain(name)
     read = _Read(folder)
     findings = list(read.findings)
-    checked = check_sentences(_knowledge(read), _context(read))
+    checked = check_sentences([*_knowledge(read), *_conditions(read)], _context(read))
     findings += checked.findings
     defined = {c.head.indicator for c in checked.kb.clauses} | {c.head.indicator for c in checked.faulty}
 
@@ -86,6 +88,16 @@ def _knowledge(read: _Read) -> list[Sentence]:
     return [s for s in read.everything if not (isinstance(s, Clause) and s.head.indicator == GOAL)]
 
 
+def _conditions(read: _Read) -> list[Clause]:
+    """The rules that conditions of plans stand for, as far as they can be read; without an ontology none is asked."""
+    found: list[Clause] = []
+    for production in read.everything if read.verifies else ():
+        if isinstance(production, Production):
+            with suppress(PlanError):  # which `check_plans` tells
+                found.extend(condition_clauses([production]))
+    return list(dict.fromkeys(found))
+
+
 def _context(read: _Read) -> Context:
     """Who asks what in a domain."""
     productions = [s for s in read.everything if isinstance(s, Production)]
@@ -93,6 +105,7 @@ def _context(read: _Read) -> Context:
     seen = set(_recognised(read.everything))
     heads = {s.head.indicator for s in read.everything if isinstance(s, Clause)}
     asked = {*SYSTEM_RELATIONS, *actions, *((name, arity) for name, arity in heads if name in seen and arity > 1)}
+    asked |= {clause.head.indicator for clause in _conditions(read)}
     given: tuple[Indicator, ...] = (*RELATIONS, GOAL) if productions else ()
     return Context(asked, [i for i in given if i not in heads], read.half_read, SHARING_NAMES)
 
@@ -121,7 +134,7 @@ def _asked_of(domain: Domain) -> Iterator[Finding]:
     if domain.verifies:
         yield from plans_nobody_can_do(domain)
     try:
-        if domain.library.ways:
+        if domain.library.productions:
             domain.reading()
     except CasperError as mistake:  # its priors do not add up
         yield finding_of(mistake, Place(str(domain.folder)))

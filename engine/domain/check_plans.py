@@ -9,18 +9,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 from itertools import count, islice
 from typing import TypeAlias
 
 from casper.engine.domain.domain import Domain
+from casper.engine.verification.matching import ROBOT
 from casper.kb.checks.finding import Finding, error, note, warning
 from casper.kb.errors import BudgetExceeded, CasperError, Place
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Variable, as_term
 from casper.kb.terms.unification import Bindings, substitute, unify
+from casper.plans.grammar.shapes import BY, items_in
 from casper.plans.library import GOAL
 from casper.plans.trees.chart import bits, union
-from casper.plans.trees.nodes import Action, Node, Shape
+from casper.plans.trees.nodes import Action, Condition, Node, Shape
 from casper.plans.trees.plan import Plan
 
 MOST_PLANS = 500  # looked at
@@ -66,6 +69,11 @@ class _Judged:
 
 def plans_nobody_can_do(domain: Domain) -> Iterator[Finding]:
     """Goals that cannot be pursued, parts that cannot be done, and steps at which the partner is never seen."""
+    yield from _strangers(domain)
+    if not domain.library.is_listed:
+        sentence = "these plans have no end or are too many to be listed, so whether anybody can do them was not tried"
+        yield note(domain.library.productions[0].place, sentence)
+        return
     ways = domain.library.ways
     plans = ways[:MOST_PLANS]
     if len(ways) > len(plans):
@@ -81,6 +89,19 @@ def plans_nobody_can_do(domain: Domain) -> Iterator[Finding]:
             yield warning(obstacle.place, f"one way to pursue {label} is impossible: {obstacle}")
         else:
             yield error(each.plan.place, f"the goal {label} cannot be pursued: {obstacle}")
+
+
+def _strangers(domain: Domain) -> Iterator[Finding]:
+    """Steps of agents who are not in the world."""
+    agents = {str(row[0]) for kind in ("human", "robot", "agent") for row in domain.kb.rows(kind, 1)}
+    agents |= {domain.partner, domain.robot}
+    for production in domain.library.productions:
+        for item in items_in(production.body):
+            who = item[1] if isinstance(item, Compound) and item.indicator == BY else None
+            if isinstance(who, str) and who != ROBOT and who not in agents:
+                close = get_close_matches(who, sorted(agents), n=1)
+                hint = f"did you mean {close[0]}?" if close else f"the agents are {', '.join(sorted(agents))}"
+                yield error(production.place, f"{who} of {term_text(item)} is no agent of this world; {hint}")
 
 
 class _Tried:
@@ -131,6 +152,8 @@ class _Tried:
 
 def _judged(node: Node, rows: Sequence[Row], leaves: Iterator[int]) -> _Judged:
     """The node with all below it; the leaves are counted from left to right."""
+    if isinstance(node, Condition):
+        return _Judged(node, [None] * len(rows))
     if isinstance(node, Action):
         leaf = next(leaves)
         return _Judged(node, [row[leaf] for row in rows])

@@ -22,17 +22,18 @@ from casper.engine.reading.priors import priors_of
 from casper.engine.reading.reading import Reading
 from casper.engine.recognition.options import Options
 from casper.engine.recognition.scoring import score_named
-from casper.engine.verification.matching import Matcher, Mismatch, NameMatcher, ParameterMatcher, bindings_of
+from casper.engine.verification.matching import Agents, Matcher, Mismatch, NameMatcher, ParameterMatcher, bindings_of
 from casper.engine.verification.verified_matching import VerifyingMatcher, settle
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import DomainError, PlanError
 from casper.kb.program.refusals import undefined_sentence
 from casper.kb.terms.clauses import Clause, Production, Sentence
-from casper.kb.terms.terms import Compound
+from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import substitute
 from casper.kb.text.files import is_there, real
 from casper.kb.text.lines import Line, text_of
 from casper.kb.text.sources import Sources, fingerprint
+from casper.plans.grammar.conditions import condition_clauses
 from casper.plans.library import GOAL, PlanLibrary
 from casper.plans.relations import RELATIONS, plan_clauses
 
@@ -162,8 +163,8 @@ class Domain:
         if not verification:
             return NameMatcher(self.library.ways)
         if not self.verifies:
-            return ParameterMatcher(self.library.ways)
-        return VerifyingMatcher(self.library.ways, self.kb, self.partner)
+            return ParameterMatcher(self.library.ways, Agents(self.partner, self.robot))
+        return VerifyingMatcher(self.library.ways, self.kb, self.partner, self.robot)
 
     def capability(self, situation: Situation, leaf: int, agent: str) -> tuple[Compound, bool]:
         """A leaf's action with every part filled in that can be, and whether the knowledge base lets the agent do it.
@@ -173,9 +174,11 @@ class Domain:
         """
         plan = situation.plan
         binding = situation.binding or (None,) * len(plan.variables)
-        if not self.verifies:
+        by = plan.actions[leaf].by
+        who = None if by is None else Agents(self.partner, self.robot).named(substitute(by, bindings_of(plan, binding)))
+        if not self.verifies or (isinstance(who, str) and who != agent):
             return situation.leaves[leaf], False
-        settled = settle(self.kb, plan, binding) if self.kb.defines(*GOAL) else binding
+        settled = settle(self.kb, plan, binding[: len(plan.variables)]) if self.kb.defines(*GOAL) else binding
         known = bindings_of(plan, binding if isinstance(settled, Mismatch) else settled)
         actions = [substitute(action, known) for action in plan.leaves]
         done = situation.done | plan.chart.before[leaf] & situation.belonging
@@ -217,10 +220,14 @@ def build(name: str, folder: Path, sentences: dict[str, list[Sentence]]) -> Doma
     library = PlanLibrary(everything)
     kb = KnowledgeBase()
     kb.add(_knowledge(everything, verifies))
+    if verifies:
+        kb.add(condition_clauses(library.productions))
     written = {s.head.indicator for s in everything if isinstance(s, Clause)}
     derived = [clause for clause in plan_clauses(library) if clause.head.indicator not in written]
-    if library.ways and not library.goal_clauses:
-        kb.add(Clause(Compound(("goal", p.goal if len(p.goal) > 1 else p.goal[0]))) for p in library.ways)
+    library.check()
+    if library.productions and not library.goal_clauses:
+        goals = [p.goal for p in library.ways] if library.is_listed else [goal for goal, _ in library.goal_terms]
+        kb.add(Clause(Compound(("goal", as_term(goal)))) for goal in goals)
     kb.add(derived)
     kb.declare_statements((action, arity + 1) for action, arity in library.actions)
     kb.compile()

@@ -51,6 +51,7 @@ class Wanted:
         named = type(self.matcher) is NameMatcher
         if not named and type(self.matcher) is ParameterMatcher:
             named = all(len(leaf) == 1 for plan in self.plans for leaf in plan.leaves)
+            named = named and not any(plan.says_who for plan in self.plans)
         return named and self.options.measure is paper and all(plan.is_plain for plan in self.plans)
 
     @cached_property

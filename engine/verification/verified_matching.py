@@ -7,9 +7,11 @@ depends on what happened earlier (did/2), otherwise until the next observation.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
+from casper.engine.verification.conditions import Conditions
 from casper.engine.verification.matching import (
+    Agents,
     Binding,
     Matcher,
     Mismatch,
@@ -22,6 +24,7 @@ from casper.engine.verification.matching import (
 from casper.engine.verification.observation import Observation
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import BudgetExceeded
+from casper.kb.reasons.why_not import Refusal
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import is_ground, substitute, unify
 from casper.plans.trees.plan import Plan
@@ -36,16 +39,17 @@ class VerifyingMatcher(ParameterMatcher):
     Forks share what was asked. A knowledge base may change at any time: what it said before is forgotten then.
     """
 
-    def __init__(self, plans: Sequence[Plan], kb: KnowledgeBase, partner: str) -> None:
-        super().__init__(plans)
+    def __init__(self, plans: Sequence[Plan], kb: KnowledgeBase, partner: str, robot: str | None = None) -> None:
+        super().__init__(plans, Agents(partner, robot))
         self.kb, self.partner = kb, partner
+        self._conditions = Conditions(kb)
         self._histories: list[tuple[tuple[Compound, float], ...]] = [()]  # after each observation
         self._forget()
 
     @property
     def recipe(self) -> Recipe:
         """How another process makes one for the same plans."""
-        return VerifyingMatcher, self.kb, self.partner
+        return VerifyingMatcher, self.kb, self.partner, self.agents.robot
 
     def _forget(self) -> None:
         self._changes, self._looks_back = self.kb.changes, self.kb.depends_on_history
@@ -79,12 +83,44 @@ class VerifyingMatcher(ParameterMatcher):
 
     def observed(self, observation: Observation) -> None:
         """Remember the action for did/2, where it is known in full."""
-        history = self._histories[-1]
-        if observation.args is not None and all(is_ground(arg) for arg in observation.args):
-            statement = Compound((observation.action, self.partner, *observation.args))
-            history = (*history, (statement, float(len(self._histories))))
-        self._histories.append(history)
+        self._histories.append(self._after(observation))
         self._past_changed()
+
+    def _after(self, observation: Observation) -> tuple[tuple[Compound, float], ...]:
+        """What happened so far, and this."""
+        history = self._histories[-1]
+        if observation.args is None or not all(is_ground(arg) for arg in observation.args):
+            return history
+        statement = Compound((observation.action, self.partner, *observation.args))
+        return (*history, (statement, float(len(self._histories))))
+
+    def ask(
+        self, plan: int, due: Sequence[tuple[int, bool]], observation: Observation, binding: Binding
+    ) -> Binding | Mismatch:
+        """What the knowledge base says of the conditions, at the moment when each was due.
+
+        One that several values would satisfy stays open, behind the parameters, until more is known.
+        """
+        chosen, moment = self.plans[plan], len(self._histories) - 1
+        width = len(chosen.variables)
+        values, waiting = binding[:width], list[Any](binding[width:])
+        for number, is_past in due:
+            looks_back = self._conditions.looks_back(chosen.conditions[number].term)
+            waiting.append((number, moment + is_past if looks_back else 0))
+        before: Binding | None = None
+        while waiting and values != before:  # what one settles another may need
+            before, still = values, list[Any]()
+            for number, then in waiting:
+                history = self._histories[then] if then <= moment else self._after(observation)
+                answer = self._conditions.ask(chosen.conditions[number].term, bindings_of(chosen, values), history)
+                if isinstance(answer, Refusal):
+                    return Refused(answer.reasons)
+                if answer is None:
+                    still.append((number, then))
+                else:
+                    values = binding_of(chosen, answer)
+            waiting = still
+        return (*values, *sorted(waiting))
 
     def forget(self) -> None:
         """Take the last observation out of the history."""
@@ -105,11 +141,13 @@ class VerifyingMatcher(ParameterMatcher):
         return other
 
     def _allowed(self, plan: int, binding: Binding) -> Binding | Mismatch:
-        key = (plan, binding)
+        width = len(self.plans[plan].variables)
+        key = (plan, binding[:width])
         if key not in self._goals:
             stated = self.kb.defines("goal", 1)
-            self._goals[key] = settle(self.kb, self.plans[plan], binding) if stated else binding
-        return self._goals[key]
+            self._goals[key] = settle(self.kb, self.plans[plan], key[1]) if stated else key[1]
+        allowed = self._goals[key]
+        return allowed if isinstance(allowed, Mismatch) else (*allowed, *binding[width:])
 
 
 def settle(kb: KnowledgeBase, plan: Plan, binding: Binding) -> Binding | Mismatch:

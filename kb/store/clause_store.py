@@ -338,6 +338,10 @@ class ClauseStore:
         """Whether a rule or constraint looks at did/2: otherwise what happened earlier changes no verdict."""
         return self._model.program.looks_back
 
+    def looks_back_at(self, name: str, arity: int) -> bool:
+        """Whether answers of a predicate may depend on what happened earlier, or on what is claimed."""
+        return (name, arity) in self._model.program.situational
+
     def check_known(self, indicator: Indicator) -> None:
         """Refuse a predicate nobody defines.
 

@@ -7,12 +7,14 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 from casper.kb.checks.finding import Finding, Severity, error, finding_of, warning
-from casper.kb.errors import CasperError, Place
+from casper.kb.errors import CasperError, Place, PlanError
 from casper.kb.terms.clauses import Clause, Indicator, Production, Sentence
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, Term, as_term, list_items, predication
-from casper.plans.grammar.shapes import SHAPES
-from casper.plans.library import GOAL, RECURSION, PlanLibrary
+from casper.kb.terms.terms import NIL, Compound, Term, as_term, predication
+from casper.kb.terms.unification import variables_of
+from casper.plans.grammar.conditions import condition_clauses, is_condition
+from casper.plans.grammar.shapes import BY, items_in
+from casper.plans.library import GOAL, RECURSION, PlanLibrary, endless_sentence
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -22,17 +24,10 @@ _MARK = "_production"  # an action that no text can see: it tells which producti
 
 def items_of(body: Term) -> Iterator[Compound]:
     """Every action and task that a production's body mentions, through brackets, shapes and alternatives."""
-    if not isinstance(body, (str, Compound)):
-        return
-    term = predication(body)
-    if term.functor == "steps" and term.arity == 2:
-        for entry in list_items(term[1])[0]:
-            yield from items_of(entry[2] if isinstance(entry, Compound) and entry.indicator == (":", 2) else entry)
-    elif term.functor in SHAPES and term.args:
-        for arg in term.args:
-            yield from items_of(arg)
-    else:
-        yield term
+    for item in items_in(body):
+        done = item[2] if isinstance(item, Compound) and item.indicator == BY else item
+        if isinstance(done, (str, Compound)) and done != NIL and not is_condition(done):
+            yield predication(done)
 
 
 def check_plans(sentences: Iterable[Sentence], is_action: Callable[[Indicator], bool] | None) -> list[Finding]:
@@ -44,9 +39,8 @@ def check_plans(sentences: Iterable[Sentence], is_action: Callable[[Indicator], 
             nobody can tell.
     """
     grammar = _Grammar(sentences)
-    findings = [*_unknown_items(grammar, is_action), *_goals_without_production(grammar)]
-    circles = [] if grammar.unrolls else list(_circles(grammar))
-    findings += circles or _unexpandable(grammar)
+    findings = [*_unknown_items(grammar, is_action), *_goals_without_production(grammar), *_unbound(grammar)]
+    findings += _unexpandable(grammar) or _endless(grammar)
     if not any(finding.severity is Severity.ERROR for finding in findings):
         unused = list(_unused_tasks(grammar))
         findings += [*unused, *_dead_productions(grammar, {finding.place for finding in unused})]
@@ -63,7 +57,6 @@ class _Grammar:
         self.goals = [c for c in clauses if c.head.indicator == GOAL]
         self.settings = [c for c in clauses if c.head[:2] == RECURSION[:2]]
         self.tasks = {p.head.indicator: p for p in reversed(self.productions)}  # each with its first production
-        self.unrolls = any(c.head[:-1] == RECURSION for c in self.settings)
 
     def graph(self) -> nx.DiGraph:
         """An edge from each task to every task its productions mention."""
@@ -76,19 +69,30 @@ class _Grammar:
         return graph
 
 
-def _circles(grammar: _Grammar) -> Iterator[Finding]:
-    """Tasks that contain themselves, once for each circle."""
-    import networkx as nx
+def _endless(grammar: _Grammar) -> list[Finding]:
+    """Tasks that can only go on for ever, once for each circle; no goal is done by them alone."""
+    library = PlanLibrary([*grammar.goals, *grammar.productions, *grammar.settings])
+    return [warning(place, endless_sentence(circle)) for circle, place in library.tables.endless()]
 
-    graph = grammar.graph()
-    for group in nx.strongly_connected_components(graph):
-        start = next(p.head.indicator for p in grammar.productions if p.head.indicator in group)
-        if len(group) > 1 or graph.has_edge(start, start):
-            circle = [head for head, _ in nx.find_cycle(graph.subgraph(group), start)]
-            names = " needs ".join(name for name, _ in (*circle, circle[0]))
-            sentence = f"the task {circle[0][0]} contains itself ({names}); a plan must end"
-            fix = "setting(plans, recursion, N) says how often it may"
-            yield error(grammar.tasks[circle[0]].place, f"{sentence}: {fix}")
+
+def _unbound(grammar: _Grammar) -> Iterator[Finding]:
+    """Conditions with a variable that nothing binds: neither the task, nor an action or task beside them, nor they."""
+    for production in grammar.productions:
+        items = list(items_in(production.body))
+        conditions = [item for item in items if is_condition(item)]
+        known = set(variables_of(production.head, *(item for item in items if not is_condition(item))))
+        try:
+            rules = list(condition_clauses([production]))
+        except PlanError as mistake:
+            yield finding_of(mistake)
+            continue
+        known.update(variable for rule in rules for literal in rule.body for variable in literal.binds())
+        for item in conditions:
+            alone = [v.name for v in variables_of(item) if not v.is_anonymous and v not in known]
+            if alone:
+                sentence = f"nothing binds {' and '.join(alone)} of the condition {term_text(item)}"
+                fix = "use it in an action or a task, or bind it by a condition"
+                yield error(production.place, f"{sentence}: {fix}")
 
 
 def _unknown_items(grammar: _Grammar, is_action: Callable[[Indicator], bool] | None) -> Iterator[Finding]:
@@ -140,7 +144,7 @@ def _goal_of(clause: Clause) -> Compound | None:
 def _unexpandable(grammar: _Grammar) -> list[Finding]:
     """What keeps a goal from having a plan; where something does, each goal is expanded by itself."""
     try:
-        _ = PlanLibrary([*grammar.goals, *grammar.productions, *grammar.settings]).ways
+        PlanLibrary([*grammar.goals, *grammar.productions, *grammar.settings]).check()
         return []
     except CasperError as mistake:
         findings = [finding_of(mistake)] if not grammar.goals else []
@@ -149,7 +153,7 @@ def _unexpandable(grammar: _Grammar) -> list[Finding]:
         if named is not None and named.indicator not in grammar.tasks:
             continue  # told as a goal without production
         try:
-            _ = PlanLibrary([goal, *grammar.productions, *grammar.settings]).ways
+            PlanLibrary([goal, *grammar.productions, *grammar.settings]).check()
         except CasperError as mistake:
             findings.append(finding_of(mistake, goal.place))
     return findings

@@ -48,7 +48,12 @@ class Distinctiveness:
 
 
 def findings(library: PlanLibrary) -> Iterator[Finding]:
-    """What ``casper check`` has to say: inseparable goals as warnings, worst-case distinctiveness as a note."""
+    """What ``casper check`` has to say: inseparable goals as warnings, worst-case distinctiveness as a note.
+
+    Of plans that cannot be listed nothing is said.
+    """
+    if not library.is_listed:
+        return
     yield from inseparable_goals(library)
     for missing in (False, True):
         worst = worst_case_distinctiveness(library, missing)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, variables_of, walk
-from casper.plans.trees.nodes import Action, Node, Shape, Task
+from casper.plans.trees.nodes import Action, Condition, Node, Shape, Task
 
 
 def settled(node: Node, bindings: Bindings) -> Node:
@@ -31,6 +31,9 @@ def called(goal: Compound, head: Compound, actions: tuple[Action, ...]) -> Task 
 def with_values(node: Node, bindings: Bindings) -> Node:
     """The tree with what became of its parameters: alternatives may give those of one production different values."""
     if isinstance(node, Action):
+        by = None if node.by is None else substitute(node.by, bindings)
+        return replace(node, term=substitute(node.term, bindings), by=by)
+    if isinstance(node, Condition):
         return replace(node, term=substitute(node.term, bindings))
     children = tuple(with_values(child, bindings) for child in node.children)
     if isinstance(node, Shape):
@@ -49,12 +52,17 @@ def _is_settled(node: Node) -> bool:
     """Whether the tree has no parameter at all."""
     if not isinstance(node, Shape) and len(node.term) > 1 and not is_ground(node.term):
         return False
-    return isinstance(node, Action) or all(map(_is_settled, node.children))
+    if isinstance(node, Action):
+        return node.by is None or is_ground(node.by)
+    return isinstance(node, Condition) or all(map(_is_settled, node.children))
 
 
 def _named(node: Node, values: _Values) -> Node:
     if isinstance(node, Action):
-        return Action(values.within(node.term), node.place)
+        by = None if node.by is None else values.within(node.by)
+        return Action(values.within(node.term), node.place, by)
+    if isinstance(node, Condition):
+        return Condition(values.within(node.term), node.place)
     if isinstance(node, Shape):
         return Shape(node.kind, tuple([_named(child, values) for child in node.children]), node.order)
     term = values.within(node.term)  # a task's parameters are named before those of what it is done by

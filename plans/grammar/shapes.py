@@ -15,6 +15,7 @@ from casper.kb.terms.terms import NIL, Compound, Term, list_items
 from casper.kb.terms.unification import renamed
 
 MOST_TIMES = 1000
+BY = ("by", 2)  # an action with who does it
 Items: TypeAlias = tuple[Term, ...]
 Order: TypeAlias = frozenset[tuple[int, int]]
 """Pairs of item numbers of which the first comes before the second."""
@@ -65,16 +66,22 @@ def _sorted(items: dict[Term, Term], pairs: list[tuple[Term, Term]], place: Plac
 
 def _repeat(term: Compound, place: Place) -> Iterator[Items]:
     """As often as must be, and then once more, and once more, as long as it may be."""
-    *item, least, most = term.args if term.arity == 3 else (None, None, None)
+    item, least, most = times_of(term, place)
+    more: Items = ()
+    for _ in range(most - least):
+        more = (Compound(("optional", item, *more)),)
+    return iter([((item,) * least + more)])
+
+
+def times_of(term: Compound, place: Place) -> tuple[Term, int, int]:
+    """The item of ``repeat``, and how often it is done at least and at most."""
+    item, least, most = term.args if term.arity == 3 else (None, None, None)
     if type(least) is not int or type(most) is not int or not 0 <= least <= most or most == 0:
         shown = term_text(renamed([term], 0)[0], sequences=True)
         raise PlanError(f"{shown}: repeat takes an item and two whole numbers: repeat(stir, 1, 3)", place)
     if most > MOST_TIMES:
         raise PlanError(f"repeat does an item at most {MOST_TIMES} times, not {most}", place)
-    more: Items = ()
-    for _ in range(most - least):
-        more = (Compound(("optional", *item, *more)),)
-    return iter([(*item * least, *more)])
+    return item, least, most
 
 
 CHOICES: dict[str, Callable[[Compound, Place], Iterator[Items]]] = {
@@ -84,3 +91,21 @@ CHOICES: dict[str, Callable[[Compound, Place], Iterator[Items]]] = {
     "repeat": _repeat,
 }
 SHAPES = frozenset({*CHOICES, "unordered", "steps"})
+
+
+def items_in(body: Term) -> Iterator[Term]:
+    """Every item of a production's body, from left to right, through brackets, shapes, alternatives and labels.
+
+    An item is an action, a task, a condition ``{Goal}``, a step ``by(Who, Action)``, or ``[]``.
+    """
+    waiting = [body]
+    while waiting:
+        item = waiting.pop()
+        if isinstance(item, Compound) and item.indicator == ("steps", 2):
+            entries = list_items(item[1])[0]
+            waiting.extend(x[2] if isinstance(x, Compound) and x.indicator == (":", 2) else x for x in entries[::-1])
+        elif isinstance(item, Compound) and item.functor in SHAPES and item.args:
+            times = item.functor == "repeat" and item.arity == 3
+            waiting.extend(reversed(item.args[:1] if times else item.args))
+        else:
+            yield item

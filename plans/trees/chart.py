@@ -3,8 +3,10 @@
 Observing a leaf *closes* it and every leaf that the plan puts before it; whatever the plan leaves open, in whatever
 order, stays so. Parts of a plan may be done or not: an optional part belongs to the plan once one of its leaves was
 observed, and not before; an alternative likewise, and then the leaves of its rivals are closed and belong no more. As
-long as a choice is open its smallest alternative stands for it. Plans without shapes share one chart for each length:
-leaf j comes after 0 … j-1, and all leaves belong.
+long as a choice is open its smallest alternative stands for it. A condition is asked when the first leaf that comes
+after it is observed or passed over, or once all before it is over where nothing comes after; one that stands in a part
+only if the part belongs by then: of a choice that was passed over unseen it is not known which way was taken. Plans
+without shapes share one chart for each length: leaf j comes after 0 … j-1, and all leaves belong.
 """
 
 from __future__ import annotations
@@ -14,7 +16,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
 
-from casper.plans.trees.nodes import Action, Node, Shape, Task, actions_below, is_plain
+from casper.plans.trees.nodes import Action, Condition, Node, Shape, Task, actions_below, is_plain
 
 Progress: TypeAlias = tuple[int, int, int, int]
 """Mask of the closed leaves, mask of the open parts that were entered, leaves of the plan, missed ones."""
@@ -42,12 +44,22 @@ class Part:
 
 
 @dataclass(frozen=True)
+class Guard:
+    """When a condition is asked: masks of the leaves before it and after it, and of the parts it stands in."""
+
+    before: int
+    after: int
+    inside: int
+
+
+@dataclass(frozen=True)
 class Chart:
     """The order and the parts of a plan's leaves.
 
     ``before[j]`` are the leaves that come before leaf j, ``parts`` the optional parts and alternatives, the outer ones
     first, ``inside[j]`` (a mask over parts) those that leaf j stands in, ``mandatory`` the leaves that stand in none,
-    ``expected`` those that belong to the plan before anything is observed.
+    ``expected`` those that belong to the plan before anything is observed. ``guards`` say when conditions are asked, in
+    the order of ``plan.conditions``.
     """
 
     leaves: int
@@ -56,6 +68,7 @@ class Chart:
     inside: tuple[int, ...]
     mandatory: int
     expected: int
+    guards: tuple[Guard, ...] = ()
     _belongs: dict[int, int] = field(default_factory=dict, compare=False)
 
     @cached_property
@@ -84,9 +97,31 @@ class Chart:
         missed += (newly & self.belonging(entered)).bit_count() - 1
         closed |= newly
         for at in bits(entered):
-            if not self.parts[at].leaves & ~closed:  # it is over
+            if not (self.parts[at].leaves & ~closed or self.is_asked_later(at, closed)):  # it is over
                 entered ^= 1 << at
         return (closed, entered, size, missed)
+
+    def is_asked_later(self, part: int, closed: int) -> bool:
+        """Whether a condition of the part is yet to be asked, by what comes after the part."""
+        return any(g.inside >> part & 1 and g.after and not g.after & closed for g in self.guards)
+
+    def asked(self, before: Progress, leaf: int) -> list[tuple[int, bool]]:
+        """The conditions that observing the open leaf asks: their numbers, and whether they look at what follows it."""
+        closed, entered, _, _ = before
+        after = closed | self.before[leaf] | 1 << leaf
+        entered |= self.inside[leaf]
+        for at in bits(self.inside[leaf]):
+            after |= self.parts[at].rivals
+        found = []
+        for number, guard in enumerate(self.guards):
+            if guard.inside & ~entered:
+                continue
+            if guard.after:
+                if guard.after & after and not guard.after & closed:
+                    found.append((number, False))
+            elif not guard.before & ~after and (guard.before & ~closed or not closed):
+                found.append((number, True))
+        return found
 
     def directly_before(self, leaf: int) -> list[int]:
         """The leaves that must come before this one, but for those that must come before another of them."""
@@ -171,13 +206,23 @@ class _Drawing:
     def __init__(self, leaves: int) -> None:
         self.before, self.inside, self.count = [0] * leaves, [0] * leaves, 0
         self.parts: list[Part] = []
+        self.leaves = (1 << leaves) - 1
+        self.guards: list[tuple[int, int]] = []  # of each condition: what comes before (with conditions), its parts
 
     def chart(self, root: Node) -> Chart:
         """The chart of the tree."""
         _, expected = self.add(root, 0, 0)
         mandatory = union(1 << j for j, within in enumerate(self.inside) if within == 0)
-        before, inside = tuple(self.before), tuple(self.inside)
-        return Chart(len(before), before, tuple(self.parts), inside, mandatory, expected)
+        before, inside = tuple(mask & self.leaves for mask in self.before), tuple(self.inside)
+        guards = tuple(self.guard(number) for number in range(len(self.guards)))
+        return Chart(len(before), before, tuple(self.parts), inside, mandatory, expected, guards)
+
+    def guard(self, number: int) -> Guard:
+        """When the condition of this number is asked."""
+        earlier, within = self.guards[number]
+        bit = 1 << len(self.before) + number
+        after = union(1 << j for j, mask in enumerate(self.before) if mask & bit)
+        return Guard(earlier & self.leaves, after, within)
 
     def add(self, node: Node, earlier: int, within: int) -> tuple[int, int]:
         """Masks of the node's leaves, and of those that belong to the plan where the node does."""
@@ -185,6 +230,9 @@ class _Drawing:
             self.before[self.count], self.inside[self.count] = earlier, within
             self.count += 1
             return 1 << self.count - 1, 1 << self.count - 1
+        if isinstance(node, Condition):
+            self.guards.append((earlier, within))
+            return 1 << len(self.before) + len(self.guards) - 1, 0
         if isinstance(node, Shape) and node.kind == "choice":
             return self.choice(node, earlier, within)
         number = len(self.parts)
@@ -199,7 +247,7 @@ class _Drawing:
             masks.append(mask)
             expected |= belongs
         if is_part:
-            self.parts[number] = Part(union(masks), expected)
+            self.parts[number] = Part(union(masks) & self.leaves, expected)
         return union(masks), 0 if is_part else expected
 
     def choice(self, node: Shape, earlier: int, within: int) -> tuple[int, int]:
@@ -212,13 +260,14 @@ class _Drawing:
         first, _, smallest = min(found, key=lambda alternative: alternative[2].bit_count())
         everything = union(leaves for _, leaves, _ in found)
         for number, leaves, own in found:
-            self.parts[number] = Part(leaves, own, everything & ~leaves, smallest, number != first)
+            rivals = everything & ~leaves & self.leaves
+            self.parts[number] = Part(leaves & self.leaves, own, rivals, smallest, number != first)
         return everything, smallest
 
 
 def children_before(node: Node) -> list[set[int]]:
     """Per child the numbers of the children that come before it (an action has none)."""
-    children = () if isinstance(node, Action) else node.children
+    children = () if isinstance(node, (Action, Condition)) else node.children
     if not isinstance(node, Shape) or node.kind in ("sequence", "optional"):
         return [set(range(at)) for at in range(len(children))]
     needs: list[set[int]] = [set() for _ in children]

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
 from casper.kb.errors import Place
-from casper.kb.terms.terms import Compound
+from casper.kb.terms.terms import Compound, Term
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +19,22 @@ class Task:
 
 @dataclass(frozen=True, slots=True)
 class Action:
-    """A leaf: an action the partner can be seen to do; its agent is left out. ``place`` is its production's."""
+    """A leaf: an action the partner can be seen to do; its agent is left out. ``place`` is its production's.
+
+    ``by`` is who does it, where the plan says so: an agent, a variable, or ``robot``; None: whoever pursues the goal.
+    """
+
+    term: Compound
+    place: Place = field(default=Place(), compare=False)
+    by: Term | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """What must hold where it stands: nothing is done, the knowledge base is asked (`plans.grammar.conditions`).
+
+    ``term`` is the relation that stands for it, with the parameters it is about.
+    """
 
     term: Compound
     place: Place = field(default=Place(), compare=False)
@@ -39,22 +54,38 @@ class Shape:
     order: frozenset[tuple[int, int]] = frozenset()
 
 
-Node: TypeAlias = Task | Action | Shape
+Node: TypeAlias = Task | Action | Shape | Condition
 
 
 def actions_below(node: Node) -> list[Action]:
     """The node's leaves from left to right; an action is its own."""
     if isinstance(node, Action):
         return [node]
+    if isinstance(node, Condition):
+        return []
     return [leaf for child in node.children for leaf in actions_below(child)]
 
 
+def conditions_below(node: Node) -> list[Condition]:
+    """The node's conditions from left to right; a condition is its own."""
+    if isinstance(node, Condition):
+        return [node]
+    if isinstance(node, Action):
+        return []
+    return [condition for child in node.children for condition in conditions_below(child)]
+
+
+def is_hollow(node: Node) -> bool:
+    """Whether there is nothing to be done in it."""
+    return isinstance(node, Condition) or (not isinstance(node, Action) and all(map(is_hollow, node.children)))
+
+
 def is_plain(root: Task) -> bool:
-    """Whether the actions below simply follow one another: no shape is left in the tree."""
+    """Whether the actions below simply follow one another: no shape or condition is left in the tree."""
     waiting: list[Node] = [root]
     while waiting:
         node = waiting.pop()
-        if isinstance(node, Shape):
+        if isinstance(node, (Shape, Condition)):
             return False
         if isinstance(node, Task):
             waiting.extend(node.children)

@@ -12,7 +12,7 @@ from casper.kb.terms.terms import Compound, Variable, as_term
 from casper.kb.terms.unification import variables_of
 from casper.kb.text.lines import Line, lines_of, one_line, text_of
 from casper.plans.trees.chart import Chart, draw_chart
-from casper.plans.trees.nodes import Action, Task, actions_below, is_plain
+from casper.plans.trees.nodes import Action, Condition, Task, actions_below, conditions_below, is_plain
 from casper.plans.trees.tree import plan_tree, tree_text
 
 
@@ -48,8 +48,19 @@ class Plan:
 
     @cached_property
     def variables(self) -> tuple[Variable, ...]:
-        """The parameters of goal and leaves, in order of first occurrence."""
-        return tuple(variables_of(self.goal, *self.leaves))
+        """The parameters of goal, leaves, those who do them, and conditions, in order of first occurrence."""
+        doers = [action.by for action in self.actions if action.by is not None]
+        return tuple(variables_of(self.goal, *self.leaves, *doers, *(each.term for each in self.conditions)))
+
+    @cached_property
+    def conditions(self) -> tuple[Condition, ...]:
+        """What the plan asks of the knowledge base, in order (`Chart.guards` says when)."""
+        return tuple(conditions_below(self.root))
+
+    @cached_property
+    def says_who(self) -> bool:
+        """Whether some leaf says who does it."""
+        return any(action.by is not None for action in self.actions)
 
     @cached_property
     def chart(self) -> Chart:

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
 from casper.plans.trees.chart import children_before
-from casper.plans.trees.nodes import Action, Node, Task, actions_below
+from casper.plans.trees.nodes import Action, Condition, Node, Task
 from casper.plans.trees.plan import Plan
 
 Row: TypeAlias = tuple[Node, ...]  # nodes without shapes, one after the other
@@ -28,7 +28,7 @@ def spelled_out(plan: Plan) -> Iterator[Plan]:
 
 def _rows(node: Node) -> Iterator[Row]:
     """Every row of nodes that a node stands for."""
-    if isinstance(node, Action):
+    if isinstance(node, (Action, Condition)):
         yield (node,)
     elif isinstance(node, Task):
         for rows in _choices(node.children):
@@ -62,7 +62,7 @@ def _joined(rows: Sequence[Row]) -> Row:
 
 def _interleaved(rows: Sequence[Row], before: Sequence[set[int]]) -> Iterator[Row]:
     """Every order of the rows' actions that keeps each row's own, and the rows that come before others."""
-    leaves = [[leaf for node in row for leaf in actions_below(node)] for row in rows]
+    leaves = [[leaf for node in row for leaf in _steps_below(node)] for row in rows]
     done = [0] * len(rows)
     turns: list[int] = []  # which row each action is taken from
 
@@ -81,7 +81,14 @@ def _interleaved(rows: Sequence[Row], before: Sequence[set[int]]) -> Iterator[Ro
     yield from go_on()
 
 
-def _grouped(rows: Sequence[Row], leaves: Sequence[Sequence[Action]], turns: Sequence[int]) -> Row:
+def _steps_below(node: Node) -> list[Node]:
+    """The node's actions and conditions from left to right."""
+    if isinstance(node, (Action, Condition)):
+        return [node]
+    return [step for child in node.children for step in _steps_below(child)]
+
+
+def _grouped(rows: Sequence[Row], leaves: Sequence[Sequence[Node]], turns: Sequence[int]) -> Row:
     """The actions in the order of the turns; a row that stays together keeps its nodes."""
     found: list[Node] = []
     taken = [0] * len(rows)

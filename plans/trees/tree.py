@@ -11,10 +11,11 @@ what it is done by. Every node has the attributes
              a leaf that was passed over and is no part of the plan is "skipped", one that may still be done instead of
              what stands for its choice an "alternative"
     optional whether it may be left out
+    by       who does it, as text, where the plan says so; None elsewhere
     rival    the number, from 0, of the alternative that the node is the first of; None for all others
 
-Shapes have no node of their own: what stands in them hangs from their task, in an order that they allow. These are
-the paper's conventions: filled, textured and dashed nodes (figure "score").
+Conditions have no node. Shapes have none of their own: what stands in them hangs from their task, in an order that
+they allow. These are the paper's conventions: filled, textured and dashed nodes (figure "score").
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from typing import TYPE_CHECKING, Literal, Protocol, TypeAlias
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import Bindings, substitute
-from casper.plans.trees.nodes import Action, Node, Shape, Task
+from casper.plans.trees.nodes import Action, Condition, Node, Shape, Task
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -65,6 +66,8 @@ def plan_tree(plan: Rooted, status: Sequence[Status] | None = None, bindings: Bi
     numbers, leaf_numbers = count(), count()
 
     def add(node: Node, optional: bool, rival: int | None = None) -> list[int]:
+        if isinstance(node, Condition):
+            return []
         if isinstance(node, Shape):
             is_choice, found = node.kind == "choice", list[int]()
             for at, child in enumerate(node.children):
@@ -76,10 +79,11 @@ def plan_tree(plan: Rooted, status: Sequence[Status] | None = None, bindings: Bi
         common = {"term": text, "name": node.term.functor, "optional": optional, "rival": rival}
         if isinstance(node, Action):
             leaf = next(leaf_numbers)
-            tree.add_node(number, **common, kind="action", leaf=leaf, status=marked[leaf])
+            by = None if node.by is None else term_text(substitute(node.by, bindings or {}))
+            tree.add_node(number, **common, kind="action", leaf=leaf, status=marked[leaf], by=by)
             return [number]
         kind = "goal" if number == 0 else "task"
-        tree.add_node(number, **common, kind=kind, leaf=None, status="unobserved")
+        tree.add_node(number, **common, kind=kind, leaf=None, status="unobserved", by=None)
         children = [below for child in node.children for below in add(child, optional)]
         tree.add_edges_from((number, child) for child in children)
         tree.nodes[number]["status"] = _shared(tree.nodes[child]["status"] for child in children)
@@ -104,6 +108,7 @@ def tree_text(tree: nx.DiGraph) -> str:
     for number, data in tree.nodes(data=True):
         mark = MARKS[data["status"]] if data["kind"] == "action" else ""
         rival = "or " if data["rival"] else ""
-        shown.add_node(number, label=f"{mark} {rival}{data['term']}".strip())
+        by = f" by {data['by']}" if data.get("by") is not None else ""
+        shown.add_node(number, label=f"{mark} {rival}{data['term']}{by}".strip())
     shown.add_edges_from(tree.edges)
     return "\n".join(nx.generate_network_text(shown, sources=[0]))

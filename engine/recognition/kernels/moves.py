@@ -40,10 +40,19 @@ class Moves(dict[State, list[Move]]):
                     continue
                 if leaf not in after:
                     after[leaf] = self._match(leaf, option, binding)
-                if (bound := after[leaf]) is not None:
+                bound = after[leaf]
+                if bound is not None and self._chart.guards:
+                    bound = self._asked(state, leaf, option, bound)
+                if bound is not None:
                     progress = self._chart.close((closed, entered, size, missed), leaf)
                     found.append((leaf, (*progress, bound), likelihood))
         return found
+
+    def _asked(self, state: State, leaf: int, option: Observation, binding: Binding) -> Binding | None:
+        """The binding after the conditions that the leaf asks, and those that are still open."""
+        closed, entered, size, missed, _ = state
+        due = self._chart.asked((closed, entered, size, missed), leaf)
+        return self._noting(self._matcher.ask(self._plan, due, option, binding))
 
     def back(self) -> dict[State, list[tuple[State, int, float]]]:
         """By state after, what leads there: state before, leaf, likelihood."""
@@ -56,7 +65,9 @@ class Moves(dict[State, list[Move]]):
         return self._back
 
     def _match(self, leaf: int, option: Observation, binding: Binding) -> Binding | None:
-        result = self._matcher.match(self._plan, leaf, option, binding)
+        return self._noting(self._matcher.match(self._plan, leaf, option, binding))
+
+    def _noting(self, result: Binding | Mismatch) -> Binding | None:
         if isinstance(result, Mismatch):
             self._noted.setdefault(self._plan, []).append(result)
             return None

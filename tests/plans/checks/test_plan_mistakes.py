@@ -27,8 +27,10 @@ def test_a_sound_library_has_no_mistakes():
         ("goal(t). t --> boil, optional((rinse ; zap)).", "1 error zap/0 is no task, and no rule zap/1 says when it is valid as an action"),
         ("goal(t). goal(u).\nt --> boil.", "1 error the goal u has no production: write u --> …; did you mean t?"),
         ("goal(tea(x)). tea --> boil.", "1 error the goal tea(x) has no production: write tea --> …; the task tea takes 0"),
-        ("goal(t).\nt --> boil, t.", "2 error the task t contains itself (t needs t); a plan must end: setting(plans, recursion, N) says how often it may"),
-        ("goal(a).\na --> boil, b.\nb --> rinse, a.", "2 error the task a contains itself (a needs b needs a); a plan must end: setting(plans, recursion, N) says how often it may"),
+        ("goal(t).\nt --> boil, t.", "2 error the task t can only go on for ever (t needs t): give it a production that ends, such as t --> []"),
+        ("goal(a).\na --> boil, b.\nb --> rinse, a.", "2 error the task a can only go on for ever (a needs b needs a): give it a production that ends, such as a --> []"),
+        ("goal(t).\nt --> boil ; u.\nu --> rinse, u.", "3 warning the task u can only go on for ever (u needs u): give it a production that ends, such as u --> []"),
+        ("goal(t).\nt --> {X > 3}, boil.", "2 error nothing binds X of the condition {X > 3}: use it in an action or a task, or bind it by a condition"),
         ("goal(t).\nt --> boil.\nu --> rinse.", "3 warning no goal leads to the task u/0; use it in a plan, or state goal(u)."),
         ("goal(t).\nt --> boil.\nu(X, Y) --> pour(X).", "3 warning no goal leads to the task u/2; use it in a plan, or state goal(u(_, _))."),
         ("goal(t).\nt --> v(a).\nv(a) --> boil.\nv(b) --> rinse.", "4 warning this way to do v(b) is part of no plan: no use of it fits its parameters"),
@@ -60,7 +62,15 @@ def test_each_of_several_goals_that_cannot_be_expanded_is_told():
 
 def test_each_circle_is_told_once():
     found = told("goal(a). a --> boil, b.\nb --> a.\ngoal(c).\nc --> boil, c.")
-    assert sorted(line.split(" (")[0] for line in found) == ["1 error the task a contains itself", "4 error the task c contains itself"]
+    assert sorted(line.split(" (")[0] for line in found) == ["1 error the task a can only go on for ever", "4 error the task c can only go on for ever"]
+
+
+def test_recursion_that_can_end_is_no_mistake():
+    assert told("goal(t). t --> boil. t --> boil, t.") == []
+
+
+def test_a_condition_binds_what_it_looks_up():
+    assert told("goal(t). t --> {size(X), X > 3}, boil.") == []
 
 
 def test_recursion_that_is_allowed_is_no_circle():

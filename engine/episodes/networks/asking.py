@@ -1,0 +1,249 @@
+"""What the knowledge base says to growing plans: conditions, and whether an agent may do an action.
+
+Every answer is remembered by what was asked, bound as far as is known: for as long as the base stays as it is, and
+where rules look at did/2 until something else has been observed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple, TypeAlias
+
+from casper.engine.episodes.networks.terms import Env, numbered, outward, resolve, slots_of, unified
+from casper.engine.verification.conditions import Conditions
+from casper.kb.base import KnowledgeBase
+from casper.kb.reasons.why_not import Refusal
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound
+
+MOST_REMEMBERED = 100_000
+Asked: TypeAlias = "tuple[int, Any]"  # the moment when it was due (0: it makes no difference), and the relation
+Past: TypeAlias = "list[tuple[Compound, float]]"
+
+
+class Failed(NamedTuple):
+    """That a condition does not hold, and why."""
+
+    reasons: tuple[str, ...]
+
+
+class Asking:
+    """Asks a knowledge base; without one every condition holds and everybody may do everything."""
+
+    def __init__(self, kb: KnowledgeBase | None, past: list[tuple[Compound, float] | None] | None = None) -> None:
+        self.kb = kb
+        self.past: list[tuple[Compound, float] | None] = past if past is not None else []
+        self._conditions = None if kb is None else Conditions(kb)
+        self._changes = -1
+        self._keep_up()
+
+    def _keep_up(self) -> None:
+        """Forget what an earlier state of the base said."""
+        changes = 0 if self.kb is None else self.kb.changes
+        if changes != self._changes:
+            self._changes = changes
+            self.looks_back = self.kb is not None and self.kb.depends_on_history
+            self.asks_goals = self.kb is not None and self.kb.defines("goal", 1)
+            self._known: dict[Asked, Any] = {}
+            self.closing: dict[Any, bool] = {}  # of links (`corners`): whether they can close
+            self._groups: dict[tuple[Asked, ...], bool | None] = {}
+            self._joined: dict[Any, Env | Failed] = {}
+            self._domains: dict[Asked, dict[Any, frozenset[Any]]] = {}
+            self._verdicts: dict[tuple[int, str, Any], tuple[str, ...]] = {}
+
+    @property
+    def now(self) -> int:
+        """How many observations there were that did/2 knows of."""
+        return len(self.past)
+
+    @property
+    def changes(self) -> int:
+        """How often the base was changed: what was asked before may be otherwise."""
+        self._keep_up()
+        return self._changes
+
+    def observed(self, statement: Compound | None, t: float) -> None:
+        """Remember what was done, where anything looks back at it; None: it is not known what."""
+        self._keep_up()
+        if self.looks_back:
+            self.past.append(None if statement is None else (statement, t))
+
+    def forget(self) -> None:
+        """Take back what was done last."""
+        if self.past:
+            self.past.pop()
+            self._joined, self._domains, self.closing, self._groups = {}, {}, {}, {}
+            self._known = {key: answer for key, answer in self._known.items() if key[0] <= self.now}
+            self._verdicts = {key: reasons for key, reasons in self._verdicts.items() if key[0] <= self.now}
+
+    def _history(self, moment: int) -> Past:
+        return [done for done in self.past[:moment] if done is not None]
+
+    def forked(self) -> Asking:
+        """One with the same past that goes its own way; what was asked of earlier moments is shared."""
+        other = Asking(self.kb, list(self.past))
+        if not self.looks_back:
+            other._known, other._verdicts = self._known, self._verdicts
+            other.closing, other._groups = self.closing, self._groups
+            other._joined, other._domains = self._joined, self._domains
+        return other
+
+    # --- conditions ------------------------------------------------------------------------------------------------
+
+    def due(self, relation: Any, after: int = 0, moment: int = -1) -> Asked:
+        """A condition that is due now, after the observation under way (1), or was at an earlier moment."""
+        assert self._conditions is not None
+        looks_back = self.looks_back and self._conditions.looks_back(Compound((relation[0], *relation[1:])))
+        return ((self.now if moment < 0 else moment) + after if looks_back else 0, relation)
+
+    def settled(
+        self, waiting: Sequence[Asked], env: Env, doing: Sequence[tuple[Compound, float]] = ()
+    ) -> tuple[Env, tuple[Asked, ...]] | Failed:
+        """The substitution after these conditions, and those that are still open; the reasons where one fails.
+
+        ``doing`` is the observation under way, for conditions that are due after it.
+        """
+        if self.kb is None:
+            return env, ()
+        while waiting:
+            still: list[Asked] = []
+            before = env
+            for moment, relation in waiting:
+                closed = numbered(relation, env, {})
+                answer = self._answer(moment, closed, doing)
+                if answer is None:
+                    still.append((moment, relation))
+                elif isinstance(answer, Refusal):
+                    return Failed(answer.reasons)
+                elif answer is not closed:
+                    extended = unified(relation, answer, env)
+                    if extended is None:
+                        return Failed((f"{outward(closed)} does not hold",))
+                    env = extended
+            waiting = still
+            if env is before and waiting:
+                together = self._together(waiting, env)
+                if isinstance(together, Failed):
+                    return together
+                if together is env:
+                    break
+                env = together
+        return env, tuple(dict.fromkeys(waiting))
+
+    def needed(self, waiting: Sequence[Asked], env: Env, used: Any) -> tuple[Asked, ...] | Failed:
+        """The open conditions that may still make a difference: not those that others satisfy, whatever becomes of
+        ``used``.
+
+        Conditions that share slots with one another and with nothing else are asked for together, once and for all.
+        """
+        if self.kb is None or not waiting:
+            return tuple(waiting)
+        used = slots_of(resolve(used, env), {})
+        groups: list[tuple[set[Any], list[Asked]]] = []
+        for moment, relation in waiting:
+            relation = resolve(relation, env)
+            slots, members = set(slots_of(relation, {})), [(moment, relation)]
+            apart = [group for group in groups if not group[0] & slots]
+            for group in groups:
+                if group[0] & slots:
+                    slots |= group[0]
+                    members = [*group[1], *members]
+            groups = [*apart, (slots, members)]
+        kept: list[Asked] = []
+        for slots, members in groups:
+            holds = None if any(each in used for each in slots) else self._hold(numbered(tuple(members), {}, {}))
+            if holds is False:
+                return Failed((f"nothing is {' and '.join(term_text(outward(r)) for _, r in members)} at once",))
+            if holds is None:
+                kept.extend(members)
+        return tuple(kept)
+
+    def _hold(self, group: tuple[Asked, ...]) -> bool | None:
+        if group not in self._groups:
+            assert self._conditions is not None
+            moments = {moment for moment, _ in group}
+            atoms = [outward(relation) for _, relation in group]
+            moment = moments.pop()
+            settled = not moments and moment <= self.now
+            self._groups[group] = self._conditions.hold_together(atoms, self._history(moment)) if settled else None
+        return self._groups[group]
+
+    def _together(self, waiting: Sequence[Asked], env: Env) -> Env | Failed:
+        """The substitution after what open conditions leave of each slot's values, where that is one.
+
+        So ``{human(X)}`` and ``{vehicle(X)}`` exclude each other before anything is known of X.
+        """
+        names: Env = {}
+        closed = tuple(dict.fromkeys(numbered(tuple(waiting), env, names)))
+        known = self._joined.get(closed)
+        if known is None:
+            if len(self._joined) > MOST_REMEMBERED:
+                self._joined.clear()
+            known = self._joined[closed] = self._left(closed)
+        if isinstance(known, Failed) or not known:
+            return known or env
+        numbers = {number: name for name, number in names.items()}
+        return {**env, **{numbers[number]: value for number, value in known.items()}}
+
+    def _left(self, waiting: Sequence[Asked]) -> Env | Failed:
+        """By slot the one value that the conditions leave."""
+        left: dict[Any, frozenset[Any]] = {}
+        for moment, relation in waiting:
+            for at, values in self._values(moment, relation).items():
+                left[at] = left[at] & values if at in left else values
+                if not left[at]:
+                    both = [term_text(outward(r)) for _, r in waiting if at in slots_of(r, {})]
+                    return Failed((f"nothing is {' and '.join(both)} at once",))
+        return {at: next(iter(values)) for at, values in left.items() if len(values) == 1}
+
+    def _values(self, moment: int, relation: Any) -> dict[Any, frozenset[Any]]:
+        """By slot of an open condition the values it may have, where they are known."""
+        assert self._conditions is not None
+        names: Env = {}
+        closed = numbered(relation, {}, names)
+        known = self._domains.get((moment, closed))
+        if known is None:
+            atom = outward(closed)
+            found = {} if moment > self.now else self._conditions.values(atom, self._history(moment))
+            ours = {outward(number): number for number in names.values()}
+            known = {ours[variable]: frozenset(map(_inner, values)) for variable, values in found.items()}
+            self._domains[moment, closed] = known
+        numbers = {number: name for name, number in names.items()}
+        return {numbers[number]: values for number, values in known.items()}
+
+    def _answer(self, moment: int, relation: Any, doing: Sequence[tuple[Compound, float]]) -> Any:
+        """The relation as it holds (the very object, where nothing is bound), a refusal, or None while it is open."""
+        key = (moment, relation)
+        if key in self._known:
+            return self._known[key]
+        if len(self._known) > MOST_REMEMBERED:
+            self._known.clear()
+        assert self._conditions is not None
+        history = [*self._history(moment), *(doing if moment > self.now else ())]
+        atom = outward(relation)
+        answer = self._conditions.answer(atom, history)
+        if isinstance(answer, Compound):
+            answer = relation if answer == atom else _inner(answer)
+        if moment <= self.now:
+            self._known[key] = answer
+        return answer
+
+    # --- actions ---------------------------------------------------------------------------------------------------
+
+    def refusal(self, action: Any, agent: str | None) -> tuple[str, ...]:
+        """Why the agent cannot have done the action; nothing where it can, or where nobody knows."""
+        if self.kb is None or agent is None:
+            return ()
+        key = (self.now if self.looks_back else 0, agent, numbered(action, {}, {}))
+        found = self._verdicts.get(key)
+        if found is None:
+            if len(self._verdicts) > MOST_REMEMBERED:
+                self._verdicts.clear()
+            statement = outward((action[0], agent, *key[2][1:]))
+            verdict = self.kb.verify(statement, self._history(self.now))
+            found = self._verdicts[key] = verdict.reasons if verdict.valid is False else ()
+        return found
+
+
+def _inner(term: Any) -> Any:
+    return tuple([_inner(part) for part in term]) if isinstance(term, tuple) else term

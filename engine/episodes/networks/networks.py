@@ -1,0 +1,276 @@
+"""How the instances of goals go on whose plans are grown lazily (`engine.episodes.growing.Growing`).
+
+    >>> networks = Networks(library.tables, goals, Asking(kb))
+    >>> [step.state for step in networks.steps(networks.begin(0), Observation("drive", ("van", "home")), "ann")]
+
+A state is a goal with what is known of its parameters, the row of its open items, and the conditions that are still
+open; slots are numbered in the order in which they are met, so states that differ in names are equal. Ways that lead to
+equal states are one step, with the fewest misses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
+
+from casper.engine.episodes.growing import Step
+from casper.engine.episodes.networks.asking import Asked, Asking, Failed
+from casper.engine.episodes.networks.compiling import indicator
+from casper.engine.episodes.networks.frontier import Frontier, Leaf
+from casper.engine.episodes.networks.growth import FREE, Growth
+from casper.engine.episodes.networks.methods import Methods
+from casper.engine.episodes.networks.terms import (
+    CALL,
+    COND,
+    PAR,
+    Env,
+    Row,
+    Slot,
+    inward,
+    numbered,
+    outward,
+    slots_of,
+)
+from casper.engine.verification.observation import Observation, Seen, options_of
+from casper.kb.terms.clauses import Indicator
+from casper.kb.terms.terms import Compound, Variable
+from casper.kb.terms.unification import is_ground, variables_of
+from casper.plans.networks.tables import Tables
+
+MOST_MISSED = 1  # leaves that may go unseen between two observations
+MOST_KEPT = 50_000  # of anything that is remembered of states
+
+
+class State(NamedTuple):
+    """A goal's number, its term, the row of its open items, and the conditions that wait for values."""
+
+    goal: int
+    term: Any
+    rest: Row
+    open: tuple[Asked, ...]
+
+
+class Networks:
+    """Goal instances over a grammar.
+
+    Args:
+        tables: the grammar's.
+        goals: label and term of each goal, in the author's order.
+        asking: the knowledge base; without one conditions hold.
+        partner: who acts where nobody is named.
+        robot: who is meant by ``robot`` in ``by(robot, Action)``.
+        by_name: whether only the names of actions count.
+        most_missed: how many leaves may go unseen between two observations.
+    """
+
+    def __init__(
+        self,
+        tables: Tables,
+        goals: Sequence[tuple[str, Compound]],
+        asking: Asking | None = None,
+        partner: str | None = None,
+        robot: str | None = None,
+        *,
+        by_name: bool = False,
+        most_missed: int = MOST_MISSED,
+    ) -> None:
+        self.tables, self.methods = tables, Methods(tables)
+        self.asking = asking or Asking(None)
+        self.partner, self.robot, self.by_name = partner, robot, by_name
+        self.most_missed = most_missed
+        self._goals = [(label, inward(term, {})) for label, term in goals]
+        self.was_cut = False
+        self._growths: dict[tuple[Observation, str | None, int], Growth] = {}
+        self._choices: dict[State, int] = {}
+
+    # --- what there is ---------------------------------------------------------------------------------------------
+
+    @property
+    def goals(self) -> Sequence[str]:
+        """The goals' labels, in the author's order."""
+        return [label for label, _ in self._goals]
+
+    @property
+    def looks_back(self) -> bool:
+        """Whether what is possible may depend on what was observed before."""
+        return self.asking.looks_back
+
+    def leaves(self) -> Sequence[Compound]:
+        """The actions of the plans, each once, with variables where parameters stand."""
+        found = self.tables.reached([(term[0], len(term) - 1) for _, term in self._goals])
+        return [Compound((name, *(Variable(f"X{at + 1}") for at in range(arity)))) for name, arity in found]
+
+    def begins_with(self, seen: Seen) -> Iterable[int]:
+        """The goals that may take the observation first."""
+        growths = [self._growth(option, None) for option, _ in options_of(seen)]
+        for number, (_, term) in enumerate(self._goals):
+            if any(growth.reach((CALL, term), self.most_missed) for growth in growths):
+                yield number
+
+    # --- states ----------------------------------------------------------------------------------------------------
+
+    def begin(self, goal: int) -> State:
+        """The state of a goal of which nothing was seen."""
+        term = self._goals[goal][1]
+        asks = self.asking.asks_goals
+        due = (self.asking.due(("goal", term if len(term) > 1 else term[0])),) if asks else ()
+        settled = self.asking.settled(due, {})
+        env, still = ({}, due) if isinstance(settled, Failed) else settled  # a goal that nothing allows takes nothing
+        return State(goal, *numbered((term, ((CALL, term),), still), env, {}))
+
+    def steps(self, state: State, seen: Seen, agent: str | None) -> Iterable[Step[State]]:
+        """Every way in which the instance can take the observation, each state once."""
+        found: dict[tuple[State, float], Step[State]] = {}
+        for option, likelihood in options_of(seen):
+            for step in self._option_steps(state, option, agent or self.partner):
+                key = step.state, likelihood
+                if key not in found or found[key].missed > step.missed:
+                    found[key] = step._replace(weight=likelihood)
+        return list(found.values())
+
+    def _option_steps(
+        self, state: State, option: Observation, agent: str | None, noted: list[str] | None = None
+    ) -> Iterable[Step[State]]:
+        growth = self._growth(option, agent, noted)
+        growth.fresh = len(slots_of(state[1:], {}))
+        growth.was_cut = False
+        doing = [(Compound((option.action, agent or "", *(option.args or ()))), 0.0)]
+        for taken in growth.row(state.rest, {}, self.most_missed, FREE):
+            due = (*state.open, *taken.due, *self._tail(taken.rest, taken.env))
+            settled = self.asking.settled(due, taken.env, doing) if due else (taken.env, ())
+            if isinstance(settled, Failed):
+                if noted is not None:
+                    noted.extend(settled.reasons)
+                continue
+            env, still = settled
+            needed = self.asking.needed(still, env, (state.term, taken.rest))
+            if isinstance(needed, Failed):
+                if noted is not None:
+                    noted.extend(needed.reasons)
+                continue
+            if not growth.can_close(taken.rest, env, needed):
+                continue
+            term, rest, still, leaf = numbered((state.term, taken.rest, needed, taken.leaf), env, {})
+            after = State(state.goal, term, rest, still)
+            yield Step(after, taken.missed, outward(leaf), 1.0, taken.is_theirs)
+        self.was_cut = self.was_cut or growth.was_cut
+
+    def _growth(self, option: Observation, agent: str | None, noted: list[str] | None = None) -> Growth:
+        """What is known of how tasks take an observation now."""
+        key = option, agent, self.asking.now if self.looks_back else self.asking.changes
+        growth = self._growths.get(key)
+        if growth is None or noted is not None:
+            args = None if self.by_name else option.args
+            unknown: dict[Variable, Slot] = {}
+            for variable in variables_of(*(args or ())):
+                unknown[variable] = Slot(-1 - len(unknown))
+            action = (option.action, *(inward(arg, unknown) for arg in args or ()))
+            arity = None if args is None else len(args)
+            growth = Growth(self.methods, self.asking, action, arity, agent, self.robot, noted)
+            if noted is None:
+                if len(self._growths) > 64:
+                    self._growths.clear()
+                self._growths[key] = growth
+        return growth
+
+    def _tail(self, rest: Row, env: Env) -> list[Asked]:
+        """The conditions with nothing to be done before or after them: they are due now."""
+        if self.asking.kb is None:
+            return []
+        if all(item[0] is COND for item in rest):
+            return [self.asking.due(item[1], 1) for item in rest]
+        if len(rest) == 1 and rest[0][0] is PAR:
+            _, items, before = rest[0]
+            needed = 0
+            for mask in before:
+                needed |= mask
+            free = [at for at in range(len(items)) if not before[at] and not needed >> at & 1]
+            return [asked for at in free for asked in self._tail((items[at],), env)]
+        return []
+
+    def choices(self, state: State) -> int:
+        """How many leaves could come next without a miss: open actions, and names that open tasks begin with."""
+        known = self._choices.get(state)
+        if known is None:
+            if len(self._choices) > MOST_KEPT:
+                self._choices.clear()
+            found: set[Any] = set()
+            names: set[Indicator] = set()
+            self.methods.add_first(state.rest, found, names)
+            known = self._choices[state] = len(found) + len(names - {indicator(action) for action in found})
+        return known
+
+    def is_done(self, state: State) -> bool:
+        """Whether nothing that is mandatory is left, as things are."""
+        if not state.rest:
+            return True
+        if self.methods.least_of_row(state.rest):
+            return False
+        growth = self._growth(Observation("", ()), None)
+        growth.fresh = len(slots_of(state[1:], {}))
+        passed = growth.passing_row(state.rest, {}, 0)
+        return any(not isinstance(self.asking.settled((*state.open, *due), env), Failed) for env, _, due in passed)
+
+    def least_left(self, state: State) -> int:
+        """The fewest leaves that must still be done, by the grammar's table: conditions and parameters are left out."""
+        return int(self.methods.least_of_row(state.rest))
+
+    # --- what is told ----------------------------------------------------------------------------------------------
+
+    def goal_of(self, state: State) -> Compound:
+        """The goal with its parameters as far as they are known."""
+        goal: Compound = outward(state.term)
+        return goal
+
+    def coming(self, state: State) -> Sequence[Leaf]:
+        """A smallest rest: leaves with who does each, and the masks of what comes before."""
+        return Frontier(self.methods, self.asking, state.rest).leaves
+
+    def rest(self, state: State) -> Sequence[Compound]:
+        """A smallest rest in an order that the plan allows, bound as far as is known."""
+        return [outward(leaf.action) for leaf in self.coming(state)]
+
+    def reasons(self, state: State, seen: Seen, agent: str | None) -> Sequence[str]:
+        """Why the instance cannot take the observation."""
+        label, noted = self._goals[state.goal][0], list[str]()
+        names = [option.action for option, _ in options_of(seen)]
+        task = self._goals[state.goal][1]
+        mask = self.tables.contained[task[0], len(task) - 1]
+        known = {action[0] for action, bit in self.tables.bit.items() if mask & bit}
+        if not known.intersection(names):
+            return (f"{label} has no {' or '.join(names)}",)
+        for option, _ in options_of(seen):
+            for _ in self._option_steps(state, option, agent or self.partner, noted):
+                pass
+        return tuple(dict.fromkeys(noted)) or (f"no {' or '.join(names)} is left in {label} after what was observed",)
+
+    # --- the past --------------------------------------------------------------------------------------------------
+
+    def observed(self, seen: Seen, agent: str | None, t: float) -> None:
+        """Told once an observation is settled: what is possible later may depend on it."""
+        options = options_of(seen)
+        option = options[0][0]
+        certain = len(options) == 1 and options[0][1] == 1.0
+        args = option.args if certain else None
+        who = agent or self.partner
+        known = who is not None and args is not None and all(map(is_ground, args))
+        self.asking.observed(Compound((option.action, who, *args)) if known and args is not None else None, t)
+        self._forget()
+
+    def forget(self) -> None:
+        """Told when the last observation is taken back."""
+        self.asking.forget()
+        self._forget()
+
+    def _forget(self) -> None:
+        if self.looks_back:
+            self._growths = {}
+
+    def fork(self) -> Networks:
+        """One with the same past that goes its own way; what was worked out is shared as far as it holds for both."""
+        other = object.__new__(Networks)
+        other.__dict__.update(self.__dict__)
+        if self.looks_back:
+            other.asking = self.asking.forked()
+            other._growths = {}
+        return other
