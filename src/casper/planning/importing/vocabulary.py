@@ -9,7 +9,7 @@ from functools import cached_property
 from math import prod
 from typing import Any
 
-from unified_planning.model import Fluent, Problem, Type
+from unified_planning.model import Fluent, InstantaneousAction, Problem, Type
 
 from casper.kb.errors import CasperError
 from casper.kb.terms.terms import Compound, Term
@@ -133,11 +133,13 @@ class Vocabulary:
     @cached_property
     def facts(self) -> frozenset[str]:
         """Fluents that nothing changes, and that no type or action is called like: they are plain facts."""
-        still = {fluent.name for fluent in self.problem.get_static_fluents()}
+        actions = [action for action in self.problem.actions if isinstance(action, InstantaneousAction)]
+        moved = {effect.fluent.fluent().name for action in actions for effect in action.effects}
         taken = {(outward(kind.name), 1) for kind in self.problem.user_types}
         for action in self.problem.actions:
             taken.add((outward(action.name), len(action.parameters) + (self.agent_index(action) is None)))
-        return frozenset(f.name for f in self.problem.fluents if f.name in still and self._indicator(f) not in taken)
+        still = [fluent for fluent in self.problem.fluents if fluent.name not in moved]
+        return frozenset(fluent.name for fluent in still if self._indicator(fluent) not in taken)
 
     def _indicator(self, fluent: Fluent) -> tuple[str, int]:
         return outward(fluent.name), fluent.arity + (not fluent.type.is_bool_type())

@@ -101,9 +101,8 @@ class Wording:
             signs = ("=:=", "=\\=") if _is_number(expression.arg(0)) else ("=", "\\=")
             return Compound((signs[not positive], one, other))
         if expression.is_le() or expression.is_lt():
-            one, other = (self._term(each) for each in expression.args)
-            strict = expression.is_lt() is positive
-            return Compound(("<" if strict else "=<", *((one, other) if positive else (other, one))))
+            one, other = (self._term(each) for each in (expression.args if positive else reversed(expression.args)))
+            return Compound(("<" if expression.is_lt() is positive else "=<", one, other))
         raise Unsaid(f"{expression} is a condition that clauses do not have")
 
     def _holds(self, expression: FNode) -> Term:
