@@ -22,7 +22,7 @@ from casper.engine.reading.printing import reading_lines, reading_name
 from casper.engine.reading.questions import Question, questions
 from casper.engine.recognition.choice import recogniser
 from casper.engine.recognition.options import PAPER, Options
-from casper.engine.verification.matching import Matcher, Recipe
+from casper.engine.verification.matching import NOBODY, Agents, Matcher, Recipe
 from casper.engine.verification.observation import Observed, Seen, options_of, seen_of
 from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
@@ -128,6 +128,17 @@ class Reading:
     def observations(self) -> Sequence[Seen]:
         """What was observed, in order."""
         return tuple(self._engine.observations)
+
+    @property
+    def agents(self) -> Agents:
+        """Who is watched, and who helps, as far as the matcher knows."""
+        found = getattr(self._unused, "agents", NOBODY)
+        return found if isinstance(found, Agents) else NOBODY
+
+    @property
+    def capability(self) -> Capability:
+        """What an agent can do of a plan's leaves."""
+        return self._capability
 
     # --- what it says ----------------------------------------------------------------------------------------------
 
