@@ -23,7 +23,7 @@ from casper.engine.reading.printing import reading_lines, reading_name
 from casper.engine.reading.questions import Question, questions
 from casper.engine.recognition.choice import recogniser
 from casper.engine.recognition.options import PAPER, Options
-from casper.engine.verification.matching import Matcher, NameMatcher, Recipe
+from casper.engine.verification.matching import NOBODY, Agents, Matcher, NameMatcher, Recipe
 from casper.engine.verification.observation import Observed, Seen, options_of, seen_of
 from casper.engine.verification.vocabulary import Foreign, Vocabulary
 from casper.kb.errors import CasperError
@@ -150,6 +150,17 @@ class Reading:
             return {}
         found = {at: self._vocabulary.foreign(seen) for at, seen in enumerate(self.observations)}
         return {at: foreign for at, foreign in found.items() if foreign is not None}
+
+    @property
+    def agents(self) -> Agents:
+        """Who is watched, and who helps, as far as the matcher knows."""
+        found = getattr(self._unused, "agents", NOBODY)
+        return found if isinstance(found, Agents) else NOBODY
+
+    @property
+    def capability(self) -> Capability:
+        """What an agent can do of a plan's leaves."""
+        return self._capability
 
     # --- what it says ----------------------------------------------------------------------------------------------
 

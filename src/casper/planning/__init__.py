@@ -6,6 +6,9 @@ Importing this registers the engine ``casper`` with the framework: ``PlanValidat
 
 from __future__ import annotations
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from casper.kb.errors import CasperError
 
 try:
@@ -13,7 +16,44 @@ try:
 except ImportError:
     raise CasperError("planning needs Unified Planning: pip install 'casper-hri[planning]'") from None
 
+if TYPE_CHECKING:
+    from casper.planning.behaviours.tree import behaviour_tree
+    from casper.planning.exporting.exporting import to_problem
+    from casper.planning.importing.files import import_files
+    from casper.planning.importing.importing import LeftOut, from_problem, import_problem
+    from casper.planning.importing.vocabulary import Who
+    from casper.planning.remaining.remainder import Remainder, remainder
+
 ENGINE = "casper"
+_WHERE = {
+    "LeftOut": "importing.importing",
+    "Remainder": "remaining.remainder",
+    "Who": "importing.vocabulary",
+    "behaviour_tree": "behaviours.tree",
+    "from_problem": "importing.importing",
+    "import_files": "importing.files",
+    "import_problem": "importing.importing",
+    "remainder": "remaining.remainder",
+    "to_problem": "exporting.exporting",
+}
+__all__ = [
+    "LeftOut",
+    "Remainder",
+    "Who",
+    "behaviour_tree",
+    "from_problem",
+    "import_files",
+    "import_problem",
+    "register",
+    "remainder",
+    "to_problem",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _WHERE:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_WHERE[name]}"), name)
 
 
 def register() -> None:
