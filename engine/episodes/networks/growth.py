@@ -36,6 +36,7 @@ from casper.engine.episodes.networks.terms import (
     slots_of,
     unified,
 )
+from casper.engine.verification.matching import ROBOT
 from casper.kb.terms.clauses import Indicator
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
@@ -157,7 +158,8 @@ class Growth:
         after = env
         if by is not None and self.agent is not None:
             who = resolve(by, env)
-            bound = unified(self.robot if who == "robot" and self.robot is not None else who, self.agent, after)
+            who = self.robot if who == ROBOT and self.robot is not None else who
+            bound = unified(who, self.agent, after)
             if bound is None:
                 self._note(lambda: f"{_shown(resolve(term, env))} is {_shown(who)}'s step, not {self.agent}'s")
                 return None
@@ -294,9 +296,11 @@ class Growth:
                     self._keep(taken._replace(rest=(*taken.rest, link)), own, found)
 
     def can_close(self, row: Row, env: Env, due: tuple[Asked, ...]) -> bool:
-        """Whether every task that is under way may still be done."""
+        """Whether every task that is open or under way may still be done, by what is known of its parameters."""
         for item in row:
             if item[0] is LINK and not self._can_close(item, env, due):
+                return False
+            if item[0] is CALL and not self.methods.fits(numbered(item[1], env, {})):
                 return False
             if item[0] is PAR and not all(self.can_close((each,), env, due) for each in item[1]):
                 return False

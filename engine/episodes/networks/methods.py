@@ -12,10 +12,28 @@ from typing import Any
 
 from casper.engine.episodes.networks.compiling import Compiled, compiled, indicator
 from casper.engine.episodes.networks.corners import Corners
-from casper.engine.episodes.networks.terms import ACT, ALT, CALL, COND, LINK, OPT, PAR, REP, Row
+from casper.engine.episodes.networks.terms import (
+    ACT,
+    ALT,
+    CALL,
+    COND,
+    LINK,
+    OPT,
+    PAR,
+    REP,
+    SEQ,
+    Env,
+    Row,
+    filled,
+    numbered,
+    slot,
+    unified,
+)
 from casper.kb.terms.clauses import Indicator
 from casper.plans.networks.grammar import Grammar
 from casper.plans.networks.tables import Tables
+
+MOST_DEEP = 20  # tasks within tasks that are looked at to see whether a task can be done
 
 
 class Methods:
@@ -27,6 +45,7 @@ class Methods:
         self._distances: dict[Indicator, Mapping[Indicator, float]] = {}
         self.number = tables.number
         self.corners = Corners(self)
+        self._fits: dict[tuple[Any, ...], bool] = {}
 
     @property
     def grammar(self) -> Grammar:
@@ -42,6 +61,33 @@ class Methods:
                 compiled(m.head, m.body) for m in self.grammar.methods(key) if self.tables.least_of(m.body) < inf
             )
         return found
+
+    def fits(self, term: tuple[Any, ...], deep: int = 0) -> bool:
+        """Whether some method's head fits a task (slots numbered from 0), and so do those of the tasks it must do.
+
+        Each is looked at by itself, down to `MOST_DEEP`; beyond it is taken for granted.
+        """
+        known = self._fits.get(term)
+        if known is None:
+            if deep >= MOST_DEEP:
+                return True
+            self._fits[term] = True  # what comes round to itself is no hindrance
+            known = self._fits[term] = any(self._method_fits(method, term, deep) for method in self.of(term))
+        return known
+
+    def _method_fits(self, method: Compiled, term: tuple[Any, ...], deep: int) -> bool:
+        frame = [slot(100 + at) for at in range(method.slots)]
+        env = unified(filled(method.head, frame), term, {})
+        return env is not None and self._row_fits(filled(method.body, frame), env, deep)
+
+    def _row_fits(self, row: Row, env: Env, deep: int) -> bool:
+        for item in row:
+            kind = item[0]
+            if kind is CALL and not self.fits(numbered(item[1], env, {}), deep + 1):
+                return False
+            if (kind is PAR or kind is SEQ) and not self._row_fits(item[1], env, deep):
+                return False
+        return True
 
     # --- how few leaves --------------------------------------------------------------------------------------------
 

@@ -31,6 +31,7 @@ from casper.engine.episodes.networks.terms import (
     numbered,
     outward,
 )
+from casper.engine.verification.matching import ROBOT
 from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.kb.errors import PlanError
 from casper.kb.terms.clauses import Indicator
@@ -290,7 +291,7 @@ class Networks:
 
     def _may(self, leaf: Leaf, agent: str) -> bool:
         """Whether a leaf is the agent's to do, and the knowledge base knows that it can; without one nobody can."""
-        who = self.robot if leaf.by == "robot" and self.robot is not None else leaf.by
+        who = self.robot if leaf.by == ROBOT and self.robot is not None else leaf.by
         others = who is not None and who.__class__ is not Slot and who != agent
         return self.asking.kb is not None and not others and not self.asking.refusal(leaf.action, agent)
 
