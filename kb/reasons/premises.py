@@ -37,7 +37,7 @@ class Premises:
     """
 
     relations: Mapping[Indicator, Relation]
-    earlier: Collection[Indicator]
+    earlier: Collection[Indicator | None]
     round: int
     budget: int
 
