@@ -43,6 +43,8 @@ class ReadError(CasperError):
     ``quoted`` is what the sentence repeats of the text, if anything.
     """
 
+    place: Place
+
     def __init__(self, sentence: str, place: Place, excerpt: str = "", quoted: str = "") -> None:
         super().__init__(sentence, place)
         self.excerpt, self.quoted = excerpt, quoted

@@ -39,7 +39,7 @@ class Premises:
 
     relations: Mapping[Indicator, Relation]
     settled: Mapping[Indicator, Relation]
-    earlier: Collection[Indicator]
+    earlier: Collection[Indicator | None]
     round: int
     budget: int
 

@@ -129,7 +129,7 @@ def _earlier_body(atom: Compound, clause: Clause, known: _Known, everywhere: boo
     """An instance of the clause's body that gives the row and rests on earlier ones; of the same stratum, or all."""
     round_ = known.relations[atom.indicator].round_of(atom.args)
     within = None if everywhere else known.stratum_of(atom.indicator)
-    earlier = {x.needed for x in clause.body if x.needed is not None and not x.is_strict}
+    earlier = {x.needed for x in clause.body if not x.is_strict}  # of a comparison None, which is no predicate
     earlier = earlier if within is None else earlier & within
     try:
         return Premises(known.relations, known.solver.relations, earlier, round_, known.solver.budget).of(atom, clause)
@@ -138,7 +138,7 @@ def _earlier_body(atom: Compound, clause: Clause, known: _Known, everywhere: boo
 
 
 def _searched_body(
-    atom: Compound, clause: Clause, known: _Known, earlier: Collection[Indicator], round_: int
+    atom: Compound, clause: Clause, known: _Known, earlier: Collection[Indicator | None], round_: int
 ) -> tuple[Literal, ...] | None:
     """As `_earlier_body`, by resolution."""
     relations = dict[Indicator, Relation]()

@@ -67,8 +67,7 @@ def _is_inner(literal: Literal, stratum: frozenset[Indicator]) -> bool:
 
 
 def _codes(table: Table) -> Ids:
-    columns = table.all_rows()
-    return code(columns, table.base, len(columns[0]))
+    return code(table.all_rows(), table.base, len(table))
 
 
 @dataclass

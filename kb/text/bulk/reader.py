@@ -141,7 +141,7 @@ def _with_mistake(
     try:
         parse(alone)
     except ReadError as mistake:
-        line = 0 if mistake.place is None else mistake.place.line
+        line = mistake.place.line
         if alone.split("\n")[line - 1 : line] == text.split("\n")[line - 1 : line]:
             raise
     restart()

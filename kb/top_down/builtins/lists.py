@@ -21,7 +21,7 @@ from casper.kb.top_down.builtins.builtin import (
     walked_list,
 )
 from casper.kb.top_down.builtins.order import ordered, without_repeats
-from casper.kb.top_down.compiled.cells import UNBOUND, Trail, deref, freeze, fresh_variable, undo, unify
+from casper.kb.top_down.compiled.cells import Trail, deref, freeze, fresh_variable, open_cell, undo, unify
 
 
 def runtime_list(items: list[Any], end: Any = "[]") -> Any:
@@ -43,7 +43,7 @@ def _length(whole: Any, number: Any) -> Outcome:
         return _lengths(len(items))
     if number < len(items):
         return None
-    return runtime_list([*items, *([UNBOUND, 0] for _ in range(number - len(items)))]), None
+    return runtime_list([*items, *(open_cell() for _ in range(number - len(items)))]), None
 
 
 def _lengths(shortest: int) -> Iterator[Values]:
@@ -108,8 +108,8 @@ def _item(number: Any, whole: Any, _: Any) -> Outcome:
         return None, None, items[number]
     if is_known(end) or number < 0:
         return None
-    cells: list[Any] = [[UNBOUND, 0] for _ in range(number + 1 - len(items))]
-    return None, runtime_list([*items, *cells], [UNBOUND, 0]), cells[-1]
+    cells: list[Any] = [open_cell() for _ in range(number + 1 - len(items))]
+    return None, runtime_list([*items, *cells], open_cell()), cells[-1]
 
 
 def _is_known(term: Any) -> Outcome:

@@ -38,6 +38,11 @@ def fresh_variable() -> Variable:
     return Variable("_G", next(serials))
 
 
+def open_cell() -> Cell:
+    """An unbound cell as old as the search: every choice point wipes what it is bound to."""
+    return [UNBOUND, 0]
+
+
 def deref(term: Any) -> Any:
     """What a term stands for: a value, or the unbound cell at the end of a chain."""
     while type(term) is list:

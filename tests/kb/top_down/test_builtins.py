@@ -52,6 +52,13 @@ GOALS = [
     "nth1(I, [a, b], E)",
     "nth1(0, [a], E)",
     "nth0(5, [a], E)",
+    "nth0(0, L, a)",
+    "nth0(2, [a | T], E)",
+    "nth1(1, L, E)",
+    "nth1(4, [a, b | T], c)",
+    "length(L, 1), member(X, [1, 2]), L = [X]",
+    "length([a | T], 3), append(T, [X], [1, 2, 3])",
+    "nth0(1, L, E), member(E, [1, 2])",
     "last([a, b, c], X)",
     "last([], X)",
     "reverse([a, b, c], L)",
@@ -188,8 +195,9 @@ def test_the_kind_of_a_value_that_could_not_be_worked_out_is_undefined():
     assert [base.truth("p(0)"), base.truth("q(0)")] == ["undefined", "undefined"]
 
 
-def test_a_list_has_no_negative_length():
-    assert ours(PROGRAM, "length(L, -1)") == []
+@pytest.mark.parametrize("goal", ["length(L, -1)", "nth0(-1, L, a)", "nth0(3, [a, b | c], X)"])
+def test_no_list_has_a_negative_length_or_place_or_one_behind_its_end(goal):
+    assert ours(PROGRAM, goal) == []
 
 
 def test_a_built_in_waits_until_it_can_be_decided_wherever_it_stands():
