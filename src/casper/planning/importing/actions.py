@@ -36,7 +36,7 @@ def action_lines(vocabulary: Vocabulary, action: Any) -> list[str]:
         raise Unsaid("it takes time, and actions here happen at one moment; split it into its start and its end")
     if action.simulated_effect is not None:
         raise Unsaid("it has effects that only a program knows; say them as effects")
-    return [*_rule(vocabulary, action), *_effects(vocabulary, action)]
+    return [*dict.fromkeys(_rule(vocabulary, action)), *_effects(vocabulary, action)]
 
 
 def _rule(vocabulary: Vocabulary, action: Any) -> Iterator[str]:

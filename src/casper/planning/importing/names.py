@@ -63,6 +63,12 @@ class Fresh:
     def __init__(self) -> None:
         self._taken: set[str] = set()
 
+    def copy(self) -> Fresh:
+        """One that goes its own way from here."""
+        other = Fresh()
+        other._taken = set(self._taken)
+        return other
+
     def name(self, wanted: str) -> str:
         """The wanted name, or with the first number behind it that is free."""
         found, number = wanted, 2

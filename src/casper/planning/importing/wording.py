@@ -83,12 +83,14 @@ class Wording:
         return [*self._taken(), said]
 
     def _every(self, test: Every) -> Term:
-        outside = dict(self._values)
         types = self.bound(test.variables)
-        rows = []
-        for row in test.alternatives:
-            rows.append(conjunction(self.row(row)))
-            self._values = dict(outside)  # what was asked within holds within
+        values, fresh = dict(self._values), self._fresh
+        rows: list[Term] = []
+        for row in test.alternatives:  # what was asked within holds within
+            self._values, self._fresh = dict(values), fresh.copy()
+            said = conjunction(self.row(row))
+            rows += [said] if said not in rows else []
+        self._values, self._fresh = values, fresh
         inner = Compound((";", *rows)) if len(rows) > 1 else rows[0] if rows else "fail"
         return Compound(("forall", conjunction(types), inner))
 
