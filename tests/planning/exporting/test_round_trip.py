@@ -70,3 +70,18 @@ def test_a_clause_that_has_no_place_in_an_action_is_refused_with_its_place(tmp_p
 def test_what_is_left_out_of_a_domain_is_a_warning(examples):
     with pytest.warns(LeftOut, match="the action move is left out: it takes time"):
         from_problem(examples["logistic"].problem)
+
+
+def test_plans_without_a_signature_are_told(tmp_path, examples):
+    imported = import_problem(examples["basic"].problem)
+    imported.write(tmp_path / "basic")
+    with (tmp_path / "basic" / "plans.pl").open("a") as text:
+        text.write("goal(twice).\ntwice --> a, a.\n")
+    with pytest.warns(LeftOut, match=r"plans.pl:\d+:1: twice has no compound_task"):
+        to_problem(Domain.load(tmp_path / "basic"))
+
+
+def test_types_in_a_circle_are_refused(tmp_path):
+    (tmp_path / "ontology.pl").write_text("problem(x). type(a). type(b). subtype(a, b). subtype(b, a).\n")
+    with pytest.raises(CasperError, match="the types run in a circle: a < b < a"):
+        to_problem(Domain.load(tmp_path))

@@ -17,7 +17,7 @@ from casper.plans.relations import RELATIONS
 NETWORK, ACHIEVE, ACT, GOAL_STATE = "task_network", "achieve", "act", "goal_state"
 OWN = frozenset(
     {
-        *("problem", "type", "fluent", "compound_task", "method", "actor", "agent_parameter"),
+        *("problem", "type", "subtype", "fluent", "compound_task", "method", "actor", "agent_parameter"),
         *("holds", "value", "initially", "initial_value", "initiates", "terminates", "changes", "assigns"),
         *("ended", "ended_since", "changed", "changed_since", "earlier"),
         *(NETWORK, ACHIEVE, ACT, GOAL_STATE),
