@@ -164,3 +164,18 @@ def test_the_command_writes_a_folder_that_loads(tmp_path, capsys):
     assert done.exit_code == 0, done.output
     assert Domain.load(tmp_path / "made").kb.verify("drive(van, shop, port)").valid
     assert Path(tmp_path / "made" / "plans.pl").read_text().startswith("compound_task(go(truck, place)).")
+
+
+def test_a_reading_follows_an_imported_hierarchy_in_its_states(tmp_path):
+    """Going twice in a row: the second drive is the only one that is left, and the first cannot be done again."""
+    once = DOMAIN.replace("(a (go ?t ?from)) ", "").replace(":ordering (and (< a b))", "")
+    twice = PROBLEM.replace("(and (go lorry port))", "(and (go lorry shop) (go lorry port))")
+    domain = import_files(written(tmp_path, once, twice), Who("truck")).domain()
+    reading = domain.reading()
+    reading.observe("drive(home, shop)")
+    assert reading.posterior == {"task_network": 1.0}
+    reading.observe("drive(home, shop)")
+    assert reading.count == 0
+    reading.undo()
+    reading.observe("drive(shop, port)")
+    assert reading.count and reading.frontier == ()
