@@ -179,3 +179,10 @@ def test_a_reading_follows_an_imported_hierarchy_in_its_states(tmp_path):
     reading.undo()
     reading.observe("drive(shop, port)")
     assert reading.count and reading.frontier == ()
+
+
+def test_no_row_is_listed_for_the_ways_to_fill_parameters(delivery):
+    """Otherwise a method of ten parameters of ten objects each would be ten thousand million rows."""
+    assert delivery.kb.stored(("method", 1)) is None
+    assert delivery.kb.stored(("drive", 4)) is None
+    assert delivery.kb.stored(("road", 2)) is not None

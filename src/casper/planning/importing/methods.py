@@ -20,7 +20,7 @@ from casper.kb.terms.terms import Compound, Term, make_list
 from casper.planning.importing.alternatives import Row, Unsaid, all_of, rows_of
 from casper.planning.importing.names import ACHIEVE, ACT, GOAL_STATE, NETWORK, outward
 from casper.planning.importing.vocabulary import Vocabulary
-from casper.planning.importing.wording import Wording, clause_text, conjunction
+from casper.planning.importing.wording import Wording, asked_now, clause_text, conjunction
 
 FAILS = Compound(("{}", "fail"))
 
@@ -109,7 +109,7 @@ def _condition(vocabulary: Vocabulary, name: str, parameters: Sequence[Any], con
     for row in rows or (Row(),):
         wording = Wording(vocabulary, parameters)
         body = [*wording.types(parameters), *(wording.row(row) if rows else ["fail"])]
-        yield clause_text(Compound(("method", _term(name, wording.arguments))), body)
+        yield clause_text(Compound(("method", _term(name, wording.arguments))), asked_now(body))
 
 
 def _production(

@@ -19,7 +19,7 @@ OWN = frozenset(
     {
         *("problem", "type", "subtype", "fluent", "compound_task", "method", "actor", "agent_parameter"),
         *("holds", "value", "initially", "initial_value", "initiates", "terminates", "changes", "assigns"),
-        *("ended", "ended_since", "changed", "changed_since", "earlier"),
+        *("ended", "ended_since", "changed", "changed_since", "earlier", "moment"),
         *(NETWORK, ACHIEVE, ACT, GOAL_STATE),
     }
 )

@@ -160,6 +160,18 @@ def conjunction(terms: Sequence[Term]) -> Term:
     return Compound((",", *terms)) if len(terms) > 1 else terms[0] if terms else "true"
 
 
+def asked_now(body: Sequence[Term]) -> list[Term]:
+    """Conditions that are asked at a moment, if need be of no fluent: what only depends on types would be listed, and
+    there are as many rows as ways to fill the parameters."""
+    return list(body) if any(map(_looks_back, body)) else [Compound(("moment", NOW)), *body]
+
+
+def _looks_back(term: Term) -> bool:
+    if not isinstance(term, Compound):
+        return False
+    return term.indicator in (("holds", 2), ("value", 3)) or any(map(_looks_back, term.args))
+
+
 def clause_text(head: Term, body: Sequence[Term]) -> str:
     """A clause as it is written."""
     said = ", ".join(term_text(term, 999) for term in body)
