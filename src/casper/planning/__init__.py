@@ -1,20 +1,17 @@
 """Planners: Unified Planning's problems and plans in and out (docs/planning.md; needs ``casper-hri[planning]``).
 
-In: the framework's problems and plans, PDDL and HDDL. Out: verdicts with reasons, domains, what is left of a plan.
-Importing this registers the engine ``casper`` with the framework: ``PlanValidator(name="casper")``.
+In: the framework's problems and plans, PDDL and HDDL. Out: verdicts with reasons, domains, what is left of a plan,
+behaviour trees (these need ``casper-hri[behaviour-trees]`` only). Each name is loaded when it is used. Importing this
+registers the engine ``casper`` with the framework: ``PlanValidator(name="casper")``.
 """
 
 from __future__ import annotations
 
 from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 from casper.kb.errors import CasperError
-
-try:
-    from unified_planning.environment import get_environment
-except ImportError:
-    raise CasperError("planning needs Unified Planning: pip install 'casper-hri[planning]'") from None
 
 if TYPE_CHECKING:
     from casper.planning.behaviours.tree import behaviour_tree
@@ -25,6 +22,8 @@ if TYPE_CHECKING:
     from casper.planning.remaining.remainder import Remainder, remainder
 
 ENGINE = "casper"
+INSTALL = "pip install 'casper-hri[planning]'"
+_WITHOUT = frozenset({"behaviour_tree"})  # what needs no Unified Planning
 _WHERE = {
     "LeftOut": "importing.importing",
     "Remainder": "remaining.remainder",
@@ -53,14 +52,29 @@ __all__ = [
 def __getattr__(name: str) -> Any:
     if name not in _WHERE:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    if not _is_there() and name not in _WITHOUT:
+        raise CasperError(f"casper.planning.{name} needs Unified Planning: {INSTALL}")
     return getattr(import_module(f"{__name__}.{_WHERE[name]}"), name)
 
 
+def _is_there() -> bool:
+    return find_spec("unified_planning") is not None
+
+
 def register() -> None:
-    """Make ``PlanValidator(name="casper")`` work in the framework's global environment; done by importing this."""
+    """Make ``PlanValidator(name="casper")`` work in the framework's global environment; done by importing this.
+
+    Raises:
+        CasperError: the framework is not installed.
+    """
+    if not _is_there():
+        raise CasperError(f"planning needs Unified Planning: {INSTALL}")
+    from unified_planning.environment import get_environment
+
     factory = get_environment().factory
     if ENGINE not in factory.engines:
         factory.add_engine(ENGINE, "casper.planning.engine", "CasperValidator")
 
 
-register()
+if _is_there():
+    register()

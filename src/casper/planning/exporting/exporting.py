@@ -23,7 +23,7 @@ from casper.planning.exporting.expressions import Scope
 from casper.planning.exporting.methods import by_name, is_impossible, make_method, make_network, make_task
 from casper.planning.exporting.target import Target, Unplanned, body_terms, number_of, shown
 from casper.planning.importing.importing import MOMENTS, LeftOut
-from casper.planning.importing.names import GOAL_STATE, NETWORK, inward
+from casper.planning.importing.names import ACHIEVE, ACT, GOAL_STATE, NETWORK, inward
 from casper.plans.relations import plan_clauses
 
 _CHANGING = frozenset({("initially", 1), ("initial_value", 2)})
@@ -31,7 +31,7 @@ _SAID = frozenset(
     {
         *EFFECTS,
         *_CHANGING,
-        *(("problem", 1), ("type", 1), ("type", 2), ("fluent", 2), ("changes", 3), ("method", 1), ("goal", 1)),
+        *(("problem", 1), ("type", 1), ("subtype", 2), ("fluent", 2), ("changes", 3), ("method", 1), ("goal", 1)),
         *(("compound_task", 1), ("actor", 1), ("agent_parameter", 2), ("setting", 3), (GOAL_STATE, 0)),
     }
 )
@@ -81,6 +81,11 @@ class _Export:
             told.add(head)
             yield f"{clause.place}: {head[0]}/{head[1]} has no place in a problem of planning, and is left out"
 
+        if not isinstance(self.target.problem, HierarchicalProblem):
+            for production in self.domain.library.productions:
+                if production.head.functor not in (ACHIEVE, ACT):
+                    yield f"{production.place}: {production.head.functor} has no compound_task(…), and is left out"
+
     def _of(self, name: str, arity: int) -> list[Clause]:
         return [clause for clause in self.clauses if clause.head.indicator == (name, arity)]
 
@@ -91,14 +96,12 @@ class _Export:
 
     def _types(self) -> None:
         manager = self.target.problem.environment.type_manager
-        waiting = [*self._of("type", 1), *self._of("type", 2)]
-        order = [str(clause.head[1]) for clause in self.clauses if clause.head.indicator in (("type", 1), ("type", 2))]
-        parents = {str(c.head[1]): str(c.head[2]) if c.head.arity == 2 else None for c in waiting}
-        for name in order:
-            self._type(manager, name, parents, ())
+        parents = {str(clause.head[1]): str(clause.head[2]) for clause in self._of("subtype", 2)}
+        for clause in self._of("type", 1):
+            self._type(manager, str(clause.head[1]), parents, ())
         self.taken |= {(clause.head.functor, 1) for clause in self.clauses if self._is_type(clause)}
 
-    def _type(self, manager: Any, name: str, parents: dict[str, str | None], below: tuple[str, ...]) -> Any:
+    def _type(self, manager: Any, name: str, parents: dict[str, str], below: tuple[str, ...]) -> Any:
         if name in below:
             raise CasperError(f"the types run in a circle: {' < '.join((*below, name))}")
         if name not in self.target.types:

@@ -186,6 +186,7 @@ def _parts(term: Term, joint: str) -> list[Term]:
 
 _CASES: dict[str, _Case] = {
     "true": lambda scope, said: [],
+    "moment": lambda scope, said: [],  # any
     "fail": lambda scope, said: [scope.target.manager.FALSE()],
     ",": lambda scope, said: [part for each in said.args for part in scope._condition(each)],
     ";": Scope._either,

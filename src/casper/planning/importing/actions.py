@@ -20,7 +20,7 @@ from casper.kb.terms.unification import variables_of
 from casper.planning.importing.alternatives import Row, Unsaid, all_of, rows_of
 from casper.planning.importing.names import outward
 from casper.planning.importing.vocabulary import Vocabulary
-from casper.planning.importing.wording import Wording, clause_text
+from casper.planning.importing.wording import Wording, asked_now, clause_text
 
 MOMENT = "t"  # the parameter that stands for when: T
 _ANYBODY, _ANY = "agent", Variable("_")
@@ -36,7 +36,7 @@ def action_lines(vocabulary: Vocabulary, action: Any) -> list[str]:
         raise Unsaid("it takes time, and actions here happen at one moment; split it into its start and its end")
     if action.simulated_effect is not None:
         raise Unsaid("it has effects that only a program knows; say them as effects")
-    return [*_rule(vocabulary, action), *_effects(vocabulary, action)]
+    return [*dict.fromkeys(_rule(vocabulary, action)), *_effects(vocabulary, action)]
 
 
 def _rule(vocabulary: Vocabulary, action: Any) -> Iterator[str]:
@@ -49,7 +49,7 @@ def _rule(vocabulary: Vocabulary, action: Any) -> Iterator[str]:
             body = [Compound(("actor", agent)), *body]
         else:
             head = vocabulary.statement(action, wording.arguments, _ANY)
-        yield clause_text(head, [*body, *(["fail"] if row is None else wording.row(row))])
+        yield clause_text(head, asked_now([*body, *(["fail"] if row is None else wording.row(row))]))
 
 
 def _effects(vocabulary: Vocabulary, action: Any) -> Iterator[str]:

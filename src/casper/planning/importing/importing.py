@@ -41,6 +41,8 @@ value(F, V, T) :- initial_value(F, V), \+ changed(F, T).
 value(F, V, T) :- earlier(S, P, T), changes(S, F, P), \+ changed_since(P, F, T), assigns(S, F, V, P).
 changed(F, T) :- earlier(S, P, T), changes(S, F, P).
 changed_since(P, F, T) :- earlier(S, Q, T), P < Q, changes(S, F, Q).
+moment(now).
+moment(T) :- did(_, T).
 earlier(S, P, now) :- did(S, P).
 earlier(S, P, T) :- did(S, P), did(_, T), P < T.
 """

@@ -20,7 +20,7 @@ from casper.kb.terms.terms import Compound, Term, make_list
 from casper.planning.importing.alternatives import Row, Unsaid, all_of, rows_of
 from casper.planning.importing.names import ACHIEVE, ACT, GOAL_STATE, NETWORK, outward
 from casper.planning.importing.vocabulary import Vocabulary
-from casper.planning.importing.wording import Wording, clause_text, conjunction
+from casper.planning.importing.wording import Wording, asked_now, clause_text, conjunction
 
 FAILS = Compound(("{}", "fail"))
 
@@ -36,7 +36,7 @@ def method_lines(vocabulary: Vocabulary, method: Any) -> list[str]:
     achieved = method.achieved_task
     head = _term(outward(achieved.task.name), [known[p.name] for p in achieved.parameters])
     return [
-        *_condition(vocabulary, outward(method.name), method.parameters, list(method.preconditions)),
+        *condition_lines(vocabulary, outward(method.name), method.parameters, list(method.preconditions)),
         _production(vocabulary, wording, head, outward(method.name), method),
     ]
 
@@ -52,7 +52,7 @@ def network_lines(vocabulary: Vocabulary) -> list[str]:
     wording = Wording(vocabulary, network.variables)
     return [
         clause_text(Compound(("goal", NETWORK)), ()),
-        *_condition(vocabulary, NETWORK, network.variables, []),
+        *condition_lines(vocabulary, NETWORK, network.variables, []),
         _production(vocabulary, wording, NETWORK, NETWORK, network, [asked(GOAL_STATE)] if problem.goals else []),
         *(goal_lines(vocabulary) if problem.goals else []),
     ]
@@ -83,7 +83,7 @@ def goal_lines(vocabulary: Vocabulary) -> list[str]:
     goals = list(vocabulary.problem.goals)
     rows = all_of(goals) if goals else ()
     found = [clause_text(GOAL_STATE, Wording(vocabulary, ()).row(row) or ["true"]) for row in rows]
-    return found or [clause_text(GOAL_STATE, ["fail"] if goals else [])]
+    return list(dict.fromkeys(found)) or [clause_text(GOAL_STATE, ["fail"] if goals else [])]
 
 
 def signature(task: Task, vocabulary: Vocabulary) -> str:
@@ -99,12 +99,17 @@ def impossible(task: Task) -> str:
     return f"{head} --> {term_text(FAILS)}."
 
 
+def condition_lines(vocabulary: Vocabulary, name: str, parameters: Sequence[Any], conditions: list[Any]) -> list[str]:
+    """When a method may be chosen: the types of its parameters and its preconditions, a clause for each alternative."""
+    return list(dict.fromkeys(_condition(vocabulary, name, parameters, conditions)))
+
+
 def _condition(vocabulary: Vocabulary, name: str, parameters: Sequence[Any], conditions: list[Any]) -> Iterator[str]:
     rows = all_of(conditions)
     for row in rows or (Row(),):
         wording = Wording(vocabulary, parameters)
         body = [*wording.types(parameters), *(wording.row(row) if rows else ["fail"])]
-        yield clause_text(Compound(("method", _term(name, wording.arguments))), body)
+        yield clause_text(Compound(("method", _term(name, wording.arguments))), asked_now(body))
 
 
 def _production(

@@ -17,9 +17,9 @@ from casper.plans.relations import RELATIONS
 NETWORK, ACHIEVE, ACT, GOAL_STATE = "task_network", "achieve", "act", "goal_state"
 OWN = frozenset(
     {
-        *("problem", "type", "fluent", "compound_task", "method", "actor", "agent_parameter"),
+        *("problem", "type", "subtype", "fluent", "compound_task", "method", "actor", "agent_parameter"),
         *("holds", "value", "initially", "initial_value", "initiates", "terminates", "changes", "assigns"),
-        *("ended", "ended_since", "changed", "changed_since", "earlier"),
+        *("ended", "ended_since", "changed", "changed_since", "earlier", "moment"),
         *(NETWORK, ACHIEVE, ACT, GOAL_STATE),
     }
 )
@@ -62,6 +62,12 @@ class Fresh:
 
     def __init__(self) -> None:
         self._taken: set[str] = set()
+
+    def copy(self) -> Fresh:
+        """One that goes its own way from here."""
+        other = Fresh()
+        other._taken = set(self._taken)
+        return other
 
     def name(self, wanted: str) -> str:
         """The wanted name, or with the first number behind it that is free."""

@@ -24,10 +24,10 @@ def type_lines(vocabulary: Vocabulary) -> Iterator[str]:
     parents = {kind.father for kind in types}
     filled = {thing.type for thing in vocabulary.problem.all_objects}
     for kind in types:
-        above = [] if kind.father is None else [kind.father.name]
-        yield clause_text(Compound(("type", kind.name, *above)), ())
+        yield clause_text(Compound(("type", kind.name)), ())
     for kind in types:
         if kind.father is not None:
+            yield clause_text(Compound(("subtype", kind.name, kind.father.name)), ())
             yield clause_text(Compound((outward(kind.father.name), _X)), [Compound((outward(kind.name), _X))])
         if kind not in parents and kind not in filled:
             yield dynamic(outward(kind.name), 1)

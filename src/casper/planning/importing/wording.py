@@ -83,12 +83,14 @@ class Wording:
         return [*self._taken(), said]
 
     def _every(self, test: Every) -> Term:
-        outside = dict(self._values)
         types = self.bound(test.variables)
-        rows = []
-        for row in test.alternatives:
-            rows.append(conjunction(self.row(row)))
-            self._values = dict(outside)  # what was asked within holds within
+        values, fresh = dict(self._values), self._fresh
+        rows: list[Term] = []
+        for row in test.alternatives:  # what was asked within holds within
+            self._values, self._fresh = dict(values), fresh.copy()
+            said = conjunction(self.row(row))
+            rows += [said] if said not in rows else []
+        self._values, self._fresh = values, fresh
         inner = Compound((";", *rows)) if len(rows) > 1 else rows[0] if rows else "fail"
         return Compound(("forall", conjunction(types), inner))
 
@@ -156,6 +158,18 @@ def thing(name: str, arguments: Sequence[Term]) -> Term:
 def conjunction(terms: Sequence[Term]) -> Term:
     """Conditions as one."""
     return Compound((",", *terms)) if len(terms) > 1 else terms[0] if terms else "true"
+
+
+def asked_now(body: Sequence[Term]) -> list[Term]:
+    """Conditions that are asked at a moment, if need be of no fluent: what only depends on types would be listed, and
+    there are as many rows as ways to fill the parameters."""
+    return list(body) if any(map(_looks_back, body)) else [Compound(("moment", NOW)), *body]
+
+
+def _looks_back(term: Term) -> bool:
+    if not isinstance(term, Compound):
+        return False
+    return term.indicator in (("holds", 2), ("value", 3)) or any(map(_looks_back, term.args))
 
 
 def clause_text(head: Term, body: Sequence[Term]) -> str:
