@@ -11,7 +11,6 @@ from casper.kb.ontologies.expressions import RDFS, XSD, Expression, Iri, Part, V
 from casper.kb.ontologies.vocabulary.names import readable_name
 from casper.kb.ontologies.vocabulary.refusals import Beyond
 from casper.kb.ontologies.vocabulary.scope import Scope, literal
-from casper.kb.ontologies.vocabulary.spoken import holds_and_fails
 from casper.kb.ontologies.vocabulary.values import INTEGERS, is_number, is_string
 from casper.kb.terms.clauses import Literal
 from casper.kb.terms.terms import Compound, Term, Variable
@@ -105,20 +104,14 @@ def _of_type(datatype: str, value: Term, scope: Scope, on: Part | None) -> Body:
     if is_number(datatype):
         if datatype.removeprefix(XSD) not in INTEGERS:
             return (literal("number", value),)
-        return (*_integer_test(value, scope, on), *_bounds(datatype, value))
+        return (literal("integer", value), *_bounds(datatype, value))
     if is_string(datatype):
-        if holds_and_fails("atom(dog)", "atom(7)"):
-            return (literal("atom", value),)
-        raise Beyond(f"the language cannot tell strings from other values; state the range of {_named(on)}")
+        return (literal("atom", value),)
     return (literal("=", value, Compound((_functor(datatype, scope), Variable("_#1")))),)
 
 
 def _functor(datatype: str, scope: Scope) -> str:
     return scope.vocabulary.names.get(datatype, readable_name(datatype))
-
-
-def _named(on: Part | None) -> str:
-    return "the property" if on is None else cited(on)
 
 
 def _is_assured(datatype: str, scope: Scope, on: Part | None) -> bool:
@@ -138,22 +131,12 @@ def _bounds(datatype: str, value: Term) -> Body:
     return (*tests, *([literal("=<", value, high)] if high is not None else []))
 
 
-def _integer_test(value: Term, scope: Scope, on: Part | None) -> Body:
-    if holds_and_fails("integer(7)", "integer(0.5)"):
-        return (literal("integer", value),)
-    known = scope.vocabulary.spelt.get(on.text, set()) if isinstance(on, Iri) else set()
-    if known and all(is_number(x) and x.removeprefix(XSD) in INTEGERS for x in known):
-        scope.notes.append(f"every value of {_named(on)} is taken to be an integer, as all that are stated are")
-        return (literal("=<", value, value),)
-    raise Beyond(f"the language cannot tell integers from other numbers; state the range of {_named(on)}")
-
-
 def _not_of_type(datatype: str, value: Term, scope: Scope, complete: bool) -> list[Body]:
     if datatype == f"{RDFS}Literal":
         return []
     if is_number(datatype):
-        return _no_number(datatype, value, scope, complete)
-    if is_string(datatype) and holds_and_fails("atom(dog)", "atom(7)"):
+        return _no_number(datatype, value)
+    if is_string(datatype):
         return [(Literal(Compound(("atom", value)), negated=True),)]
     if complete:
         raise Beyond(f"the language cannot tell what is no {local_name(datatype)}")
@@ -161,16 +144,10 @@ def _not_of_type(datatype: str, value: Term, scope: Scope, complete: bool) -> li
     return [(literal("=<", value, value),)]
 
 
-def _no_number(datatype: str, value: Term, scope: Scope, complete: bool) -> list[Body]:
-    found: list[Body] = [(Literal(Compound(("number", value)), negated=True),)]
+def _no_number(datatype: str, value: Term) -> list[Body]:
+    is_whole = datatype.removeprefix(XSD) in INTEGERS
     low, high = INTEGERS.get(datatype.removeprefix(XSD), (None, None))
-    if datatype.removeprefix(XSD) in INTEGERS:
-        if holds_and_fails("integer(7)", "integer(0.5)"):
-            found = [(Literal(Compound(("integer", value)), negated=True),)]
-        elif complete:
-            raise Beyond(f"the language cannot tell what is no {local_name(datatype)}")
-        else:
-            scope.notes.append(f"numbers with a fraction are not noticed where {local_name(datatype)} is needed")
+    found: list[Body] = [(Literal(Compound(("integer" if is_whole else "number", value)), negated=True),)]
     found += [(literal("<", value, low),)] if low is not None else []
     return [*found, *([(literal(">", value, high),)] if high is not None else [])]
 

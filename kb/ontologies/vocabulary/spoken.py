@@ -20,8 +20,3 @@ def speaks(goal: str, answer: str | int | float | None = None) -> bool:
     except (CasperError, ArithmeticError, TypeError, ValueError):
         return False
     return found == [answer]
-
-
-def holds_and_fails(goal: str, other: str) -> bool:
-    """Whether the language has a test: the first goal holds, the second does not."""
-    return speaks(f"{goal}, R = 1", 1) and not speaks(f"{other}, R = 1", 1) and speaks(f"\\+ {other}, R = 1", 1)

@@ -21,7 +21,8 @@ from casper.kb.top_down.builtins.builtin import (
     walked_list,
 )
 from casper.kb.top_down.builtins.order import ordered, without_repeats
-from casper.kb.top_down.compiled.cells import Trail, deref, freeze, fresh_variable, open_cell, undo, unify
+from casper.kb.top_down.compiled.cells import Trail, deref, freeze, fresh_variable, open_cell, undo
+from casper.kb.top_down.compiled.unifying import unify
 
 
 def runtime_list(items: list[Any], end: Any = "[]") -> Any:

@@ -8,13 +8,17 @@ A compound term built here is a plain tuple; a `Compound` is known to have no ce
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Hashable, Iterable
 from itertools import count
 from typing import Any, TypeAlias
 
+from casper.kb.errors import BudgetExceeded
 from casper.kb.terms.terms import Compound, Rigid, Term, Variable
 
 Cell: TypeAlias = list[Any]
+MOST_PARTS = 1 << 22  # compound parts of a term that is copied: some 400 MB
+MANY = 1 << 16  # compound parts from which it is looked at how many there are: shared ones double with every level
 UNBOUND: Any = type("Unbound", (), {"__slots__": (), "__repr__": lambda _: "unbound"})()
 NO_TERM: Any = type("NoTerm", (), {"__slots__": (), "__eq__": lambda a, b: False, "__hash__": lambda _: 0})()
 serials = count(1)  # shared by all searches: one may hand its variables to another, through valid/1
@@ -60,76 +64,39 @@ def undo(trail: Trail, mark: int) -> None:
     del trail[mark:]
 
 
-def unify(left: Any, right: Any, trail: Trail, top: int) -> bool:
-    """Make two terms equal by binding cells; False when they cannot be (what was bound by then is on the trail).
-
-    Args:
-        left, right: terms with cells.
-        trail: where bindings of cells that are older than ``top`` are noted.
-        top: serial of the newest choice point.
-    """
-    waiting: list[tuple[Any, Any]] = []
-    while True:
-        left, right = deref(left), deref(right)
-        if left is not right:
-            if type(left) is not list and type(right) is list:
-                left, right = right, left
-            if type(left) is list:
-                if type(right) is tuple and occurs(left, right, trail):
-                    return False
-                left[0] = right
-                if left[1] < top:
-                    trail.append(left)
-            elif isinstance(left, tuple):
-                if not isinstance(right, tuple) or len(left) != len(right):
-                    return False
-                if left[0] != right[0] and type(left[0]) is not list and type(right[0]) is not list:
-                    return False
-                waiting.extend(zip(left[:0:-1], right[:0:-1]))
-            elif isinstance(right, tuple) or left != right:
-                return False
-        if not waiting:
-            return True
-        left, right = waiting.pop()
-
-
-def occurs(cell: Cell, term: tuple[Any, ...], trail: Trail) -> bool:
-    """Whether an unbound cell is somewhere in a compound term; looking at a large one is charged for."""
-    waiting: list[Any] = [term]
-    seen = 0
-    while waiting:
-        seen += 1
-        if seen % 64 == 0:
-            trail.toil += 1
-        for part in waiting.pop():
-            part = deref(part)
-            if part is cell:
-                return True
-            if type(part) is tuple:
-                waiting.append(part)
-    return False
-
-
 def freeze(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]] = tuple) -> Term:
     """The term as it is now, without cells: a `Compound` where it is ground, else a plain tuple with variables.
 
     ``holes`` names the unbound cells, by identity; those it does not know yet are given fresh variables. With
     `Compound` as ``kind`` every compound is one: that is how the rest of the system knows terms.
+
+    Raises:
+        BudgetExceeded: it has too many parts; as it is copied, a part that is shared counts as often as it occurs.
     """
-    spine: list[list[Any]] = []  # the last argument is followed in a loop: a list is as deep as it is long
     term = deref(term)
+    if type(term) is tuple:
+        return _frozen(term, holes, kind, _Room(term))
+    return _hole(term, holes) if type(term) is list else term
+
+
+def _frozen(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]], room: _Room) -> Term:
+    """As `freeze`, of a compound term with cells that is part of one; ``room`` is for the parts of that one."""
+    spine: list[list[Any]] = []  # the last argument is followed in a loop: a list is as deep as it is long
     while type(term) is tuple:
         parts = list(term)
         term = deref(parts.pop())
         for at, part in enumerate(parts):
-            if type(part) is list or type(part) is tuple:
-                parts[at] = freeze(part, holes, kind)
+            if type(part) is list:
+                part = deref(part)
+                parts[at] = _hole(part, holes) if type(part) is list else part
+            if type(part) is tuple:
+                parts[at] = _frozen(part, holes, kind, room)
         spine.append(parts)
+    room.left -= len(spine)
+    if room.left < 0:
+        room.enlarge()
     if type(term) is list:
-        found = holes.get(id(term))
-        if found is None:
-            found = holes[id(term)] = fresh_variable()
-        term = found
+        term = _hole(term, holes)
     for parts in reversed(spine):
         parts.append(term)
         if kind is Compound:
@@ -142,6 +109,49 @@ def freeze(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]] =
         else:
             term = Compound(parts)
     return term
+
+
+def _hole(cell: Cell, holes: dict[int, Variable]) -> Variable:
+    """What an unbound cell is called."""
+    found = holes.get(id(cell))
+    if found is None:
+        found = holes[id(cell)] = fresh_variable()
+    return found
+
+
+class _Room:
+    """How many parts of a term may be copied before it is looked at whether that will ever end."""
+
+    __slots__ = ("left", "term")
+
+    def __init__(self, term: Any) -> None:
+        self.left, self.term = MANY, term
+
+    def enlarge(self) -> None:
+        """Go on where the whole term is not too large."""
+        check_size([self.term])
+        self.left = MOST_PARTS
+
+
+def check_size(terms: Iterable[Any]) -> None:
+    """Refuse terms that would be too large as trees, in the time that their parts take when each is looked at once.
+
+    Raises:
+        BudgetExceeded: one has more than ``MOST_PARTS`` compound parts, each counted as often as it occurs.
+    """
+    sizes: dict[int, int] = {}
+    waiting = [term for term in map(deref, terms) if isinstance(term, tuple)]
+    while waiting:
+        term = waiting[-1]
+        parts = [part for part in map(deref, term) if isinstance(part, tuple)]
+        inner = [part for part in parts if id(part) not in sizes]
+        if inner and id(term) not in sizes:
+            waiting.extend(inner)
+            continue
+        waiting.pop()
+        sizes[id(term)] = size = 1 + sum(sizes[id(part)] for part in parts)
+        if size > MOST_PARTS:
+            raise BudgetExceeded(f"the search met a term of more than {MOST_PARTS:,} parts: the answer is unknown")
 
 
 def frozen_is_ground(term: Term) -> bool:
@@ -212,6 +222,9 @@ def variant(terms: Iterable[Term]) -> Hashable:
     """A flat key that two rows of frozen terms share exactly when they differ in their variables' names only.
 
     It is flat because Python compares nested tuples by recursion, and a list is as deep as it is long.
+
+    Raises:
+        BudgetExceeded: the terms have too many parts to be told apart.
     """
     row = tuple(terms)
     for term in row:
@@ -220,6 +233,7 @@ def variant(terms: Iterable[Term]) -> Hashable:
     else:
         return row
     key: list[Any] = []
+    unchecked = MANY
     numbers: dict[Variable, int] = {}
     waiting: list[Any] = list(reversed(row))
     while waiting:
@@ -231,6 +245,9 @@ def variant(terms: Iterable[Term]) -> Hashable:
             if isinstance(term, tuple):
                 key += (_STRUCTURE, len(term))
                 waiting.extend(reversed(term))
+                if len(key) > unchecked:
+                    check_size(row)
+                    unchecked = sys.maxsize
             else:
                 waiting.append(term)
         elif type(term) is Variable:

@@ -10,7 +10,8 @@ from typing import Any, TypeAlias
 
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import is_ground
-from casper.kb.top_down.compiled.cells import UNBOUND, Trail, deref, occurs, unify
+from casper.kb.top_down.compiled.cells import UNBOUND, Trail, deref
+from casper.kb.top_down.compiled.unifying import occurs, unify
 
 _DEEP = 20
 Frame: TypeAlias = list[Any]

@@ -12,8 +12,8 @@ from casper.kb.terms.unification import Bindings, is_ground, unify
 from casper.kb.terms.values.aggregates import aggregate
 from casper.kb.terms.values.arithmetic import EvaluationFailed
 from casper.kb.top_down.compiled.cells import deref, freeze, inward, variant
-from casper.kb.top_down.compiled.cells import unify as unify_cells
 from casper.kb.top_down.compiled.code import Frame, Node
+from casper.kb.top_down.compiled.unifying import unify as unify_cells
 from casper.kb.top_down.linking import RESOLVED
 from casper.kb.top_down.lookups import shape_of
 from casper.kb.top_down.running.engine import Goal, Workspace

@@ -11,8 +11,9 @@ from typing import Any
 from casper.kb.errors import Undefined
 from casper.kb.relations.relation import Row
 from casper.kb.terms.terms import Compound
-from casper.kb.top_down.compiled.cells import Cell, deref, freeze, thaw, unify, variant
+from casper.kb.top_down.compiled.cells import Cell, deref, freeze, thaw, variant
 from casper.kb.top_down.compiled.code import STOP, Frame, Node
+from casper.kb.top_down.compiled.unifying import unify
 from casper.kb.top_down.linking import ASKED, BUILT_IN, CONTROLLED, DOUBTFUL, RESOLVED, STORED, TABLED, Computed, Link
 from casper.kb.top_down.running.clauses import chosen, only, resolved
 from casper.kb.top_down.running.engine import Workspace

@@ -12,8 +12,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from casper.kb.top_down.compiled.cells import freeze, unify
+from casper.kb.top_down.compiled.cells import freeze
 from casper.kb.top_down.compiled.code import AGGREGATE, CALL, COMPARE, NEGATE, STOP, Frame, Node
+from casper.kb.top_down.compiled.unifying import unify
 from casper.kb.top_down.linking import Links
 from casper.kb.top_down.running.aggregation import aggregated
 from casper.kb.top_down.running.calls import called

@@ -14,8 +14,9 @@ from casper.kb.terms.unification import renamed
 from casper.kb.terms.values.arithmetic import EvaluationFailed
 from casper.kb.text.writer import literal_text
 from casper.kb.top_down.builtins.control import REFUTED
-from casper.kb.top_down.compiled.cells import Trail, deref, freeze, fresh_variable, frozen_is_ground, has_rigid, unify
+from casper.kb.top_down.compiled.cells import Trail, deref, freeze, fresh_variable, frozen_is_ground, has_rigid
 from casper.kb.top_down.compiled.code import AGGREGATE, CALL, COMPARE, NEGATE, STOP, Frame, Node
+from casper.kb.top_down.compiled.unifying import unify
 from casper.kb.top_down.linking import BUILT_IN, CONTROLLED, Links
 from casper.kb.top_down.running.engine import Workspace
 from casper.kb.top_down.running.strands import Cont, State

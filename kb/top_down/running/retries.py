@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from casper.kb.top_down.compiled.cells import Cell, inward, thaw, undo, unify
+from casper.kb.top_down.compiled.cells import Cell, inward, thaw, undo
 from casper.kb.top_down.compiled.code import CALL
+from casper.kb.top_down.compiled.unifying import unify
 from casper.kb.top_down.running.clauses import resolved
 from casper.kb.top_down.running.engine import Workspace
 from casper.kb.top_down.running.goals import next_branch, node_for

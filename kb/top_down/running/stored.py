@@ -9,8 +9,9 @@ from casper.kb.relations.relation import Columns, Relation, Row
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unknown import opened
-from casper.kb.top_down.compiled.cells import UNBOUND, Trail, freeze, frozen_is_ground, inward, serials, undo, unify
+from casper.kb.top_down.compiled.cells import UNBOUND, Trail, freeze, frozen_is_ground, inward, serials, undo
 from casper.kb.top_down.compiled.code import Frame, Node
+from casper.kb.top_down.compiled.unifying import unify
 from casper.kb.top_down.linking import Link
 from casper.kb.top_down.running.engine import Workspace
 from casper.kb.top_down.running.strands import ROWS, Choice, Cont, State, Strand

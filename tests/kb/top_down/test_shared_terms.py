@@ -1,0 +1,93 @@
+"""Terms whose parts are shared: as trees they double with every level, and no search hangs on them or fills the memory."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from casper.kb.base import KnowledgeBase
+from casper.kb.errors import BudgetExceeded
+from casper.kb.terms.terms import Compound, Variable, make_list
+from casper.kb.top_down.compiled import cells, unifying
+from casper.kb.top_down.compiled.cells import UNBOUND, Trail, check_size, freeze, inward, undo, variant
+
+DOUBLING = """
+grow(0, X, X).
+grow(N, X, Y) :- N > 0, M is N - 1, grow(M, f(X, X), Y).
+same(N, X, Z) :- grow(N, X, A), grow(N, Z, B), A = B.
+built(N, X) :- grow(N, X, f(_, _)).
+refuted(N) :- grow(N, _, Y), \\+ Y = a.
+tabled(Y) :- tabled(Y).
+tabled(f(_, _)).
+handed(N) :- grow(N, _, Y), tabled(Y).
+counted(N, C) :- aggregate_all(count, grow(N, a, _), C).
+"""
+base = KnowledgeBase.from_text(DOUBLING)
+
+
+@pytest.mark.parametrize("goal", ["same(60, X, X)", "same(60, X, Z)", "same(60, X, a)", "same(60, a, a)", "built(60, X)"])
+def test_what_is_shared_is_made_equal_once(goal):
+    assert len(list(base.query(goal))) == 1
+
+
+def test_what_differs_in_one_leaf_is_told_apart():
+    assert not base.ask("same(60, a, b)") and base.ask("same(9, a, a)")
+
+
+@pytest.mark.parametrize("goal", ["grow(60, X, Y)", "grow(60, a, Y)", "handed(60)", "refuted(60)", "counted(60, C)"])
+def test_what_is_too_large_to_be_told_is_unknown(goal):
+    with pytest.raises(BudgetExceeded, match=r"a term of more than 4,194,304 parts: the answer is unknown"):
+        list(base.query(goal))
+
+
+def doubled(part, times):
+    for _ in range(times):
+        part = Compound(("f", part, part))
+    return part
+
+
+def test_each_part_counts_as_often_as_it_occurs(monkeypatch):
+    monkeypatch.setattr(cells, "MOST_PARTS", 31)
+    check_size([doubled("a", 5), doubled("b", 5)])
+    with pytest.raises(BudgetExceeded):
+        check_size([Compound(("g", doubled("a", 5)))])
+
+
+def test_a_long_list_is_no_large_term_before_it_is_one(monkeypatch):
+    monkeypatch.setattr(cells, "MANY", 10)
+    long = make_list([Variable("X", at) for at in range(1_000)])
+    assert len(variant([freeze(inward(long, {}), {})])) == len(variant([long]))
+
+
+@st.composite
+def shared(draw):
+    """A term with variables, many of whose parts are one object."""
+    parts = ["a", "b", Variable("X"), Variable("Y"), Variable("Z")]
+    for _ in range(draw(st.integers(1, 8))):
+        args = draw(st.lists(st.sampled_from(parts), min_size=1, max_size=3))
+        parts.append(Compound((draw(st.sampled_from("fg")), *args)))
+    return parts[-1]
+
+
+def unified(left, right, many):
+    """Whether two terms are made equal, and what they then are, when shared parts are remembered from so many on."""
+    before, unifying.MANY = unifying.MANY, many
+    try:
+        known = {}
+        both = [inward(left, known), inward(right, known)]
+        trail = Trail()
+        is_equal = unifying.unify(*both, trail, 1)
+        holes = {}
+        one, other = (freeze(term, holes, Compound) for term in both)
+        assert one == other or not is_equal
+        undo(trail, 0)
+        assert all(cell[0] is UNBOUND for cell in known.values())
+        return is_equal, variant([one, other]) if is_equal else None
+    finally:
+        unifying.MANY = before
+
+
+@given(shared(), shared())
+def test_what_is_remembered_of_shared_parts_changes_no_answer(left, right):
+    assert unified(left, right, 0) == unified(left, right, 1 << 40)
