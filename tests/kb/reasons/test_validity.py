@@ -248,6 +248,12 @@ def test_what_is_valid_besides_something_undefined_is_told_first():
     assert base.truth("valid(p(a))") == "undefined" and base.truth("valid(7)") == "false"
 
 
+def test_what_is_valid_is_told_again_when_it_is_asked_again():
+    base = KnowledgeBase.from_text('p(X) :- n(X). n(1). n(2). n(30). never("big") :- claim(p(X)), X > 9.')
+    answers = [[str(answer) for answer in base.instances("valid(p(X))")] for _ in range(3)]
+    assert answers == [["valid(p(1))", "valid(p(2))"]] * 3
+
+
 def test_a_clash_leaves_open_what_a_negation_leaves_open():
     base = KnowledgeBase.from_text('never("no witness") :- claim(p(X)), \\+ saw(X, _). :- dynamic(saw/2). p(a).')
     [violation] = base.why_not("p(a)").violations
