@@ -15,6 +15,7 @@ from casper.kb.terms.unification import is_ground
 
 Statement: TypeAlias = str | tuple[Term, ...]  # text, or a Compound / a tuple that starts with the name
 MOST_INDEXED = 20_000  # statements up to which all that hold are kept in one set
+_NAMES = frozenset({str})
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,12 +53,6 @@ def looked_up(statement: tuple[Term, ...], at_hand: Mapping[Indicator, Relation]
         return True if given is not None and row in given else None
     if row in relation:
         return True
-    for value in row:
-        if type(value) is not str:  # a row of names is not there; of others it depends on what they are
-            args = predication(statement).args
-            if not is_ground(args):
-                return None
-            if args in relation:
-                return True
-            break
+    if not _NAMES.issuperset(map(type, row)) and not is_ground(predication(statement).args):
+        return None  # (a row of names has nothing open in it, which a fast look tells)
     return False if relation.undefined is None else None

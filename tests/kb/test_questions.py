@@ -191,6 +191,12 @@ def test_an_answer_is_given_once_however_many_proofs_it_has():
     assert list(base.rows("q", 1)) == [(1,)]
 
 
+def test_the_rows_of_a_predicate_that_is_searched_are_its_answers_without_anything_open():
+    base = KnowledgeBase.from_text("p(X) :- n(Y), X = f(Y, _). p(2). n(1).")
+    assert base._model.relations.get(("p", 1)) is None
+    assert list(base.rows("p", 1)) == [(2,)]
+
+
 def test_long_lists_are_facts_like_any_other():
     items = ", ".join(map(str, range(2000)))
     assert KnowledgeBase.from_text(f"p([{items}]).").ask(f"p([{items.replace('1999', 'Last')}])")

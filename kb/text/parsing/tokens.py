@@ -22,6 +22,7 @@ _QUOTES = "|".join(rf"{quote}(?:[^{quote}\\\n]++|{ESCAPE}|{quote}{quote})*+{quot
 _CODE = rf"0'(?:{ESCAPE}|''|[^\\\n])"
 _NUMBER = rf"""{_CODE}|0x[0-9a-fA-F]++|0o[0-7]++|0b[01]++|\d{{1,2}}'[0-9a-zA-Z]++
     |\d++(?:\.\d++(?:[eE][+\-]?\d++|Inf|NaN)?|[eE][+\-]?\d++)|\d++r\d++|\d++(?:_\d++)*+"""
+_ALONE = re.compile(_NUMBER, re.VERBOSE)
 WITHIN = rf"{COMMENT}|{_QUOTES}|{_CODE}|\d++\.\d++"
 """Tokens within which a full stop ends nothing."""
 OTHERS = rf"(?!{STOP}|/\*){SIGNS}++|[^\x00-\x7f\w\s]++{SIGNS}*+|[^'\"`#$&*+\-./:<=>?@\\^~]"
@@ -173,6 +174,14 @@ def number(word: str) -> int | float:
             raise Unreadable("this number is too large")
         return value
     return _whole(word.replace("_", ""), 10)
+
+
+def number_in(text: str) -> int | float | None:
+    """The number that a text without a sign spells and nothing else, no blank either; None where it spells none."""
+    try:
+        return number(text) if _ALONE.fullmatch(text) else None
+    except Unreadable:
+        return None
 
 
 def _whole(digits: str, radix: int) -> int:

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from casper.kb.errors import ReadError
 from casper.kb.terms.atoms import number_text
 from casper.kb.terms.terms import make_list
-from casper.kb.text.reader import read_term
+from casper.kb.text.parsing.tokens import number_in
 from casper.kb.top_down.builtins.atoms import text_of
 from casper.kb.top_down.builtins.builtin import (
     Builtin,
@@ -79,15 +78,9 @@ def _spans(whole: int, start: int | None, size: int | None, rest: int | None) ->
 
 
 def _number_in(text: str) -> int | float | None:
-    """The number that a text spells; None where it spells none."""
-    sign, digits = (text[0], text[1:]) if text[:1] in ("+", "-") else ("", text)
-    if not digits[:1].isdigit():
-        return None
-    try:
-        found = read_term(f"-{digits}" if sign == "-" else digits)
-    except ReadError:
-        return None
-    return found if type(found) is int or type(found) is float else None
+    """The number that a text spells, perhaps with a sign; None where it spells none."""
+    found = number_in(text[1:] if text[:1] in ("+", "-") else text)
+    return -found if found is not None and text[0] == "-" else found
 
 
 def _atom_number(atom: Any, number: Any) -> Outcome:

@@ -3,6 +3,7 @@
 import pytest
 
 from casper.kb.base import KnowledgeBase
+from casper.kb.errors import Undefined
 from casper.kb.reasons.validity import valid_instances
 from casper.kb.terms.terms import Compound, Variable
 
@@ -231,6 +232,26 @@ def test_facts_that_may_break_a_constraint_leave_every_verdict_open():
     assert base.verify("p(a)").valid is None
     assert base.truth("never(S)") == "undefined"
     assert base.verify("p(b)").valid is False
+
+
+def test_a_constraint_that_may_be_broken_and_is_broken_otherwise_is_broken():
+    base = KnowledgeBase.from_text('never("much") :- size(X), X > 9. never("much") :- size(y). size(x). size(y).')
+    assert [str(answer) for answer in base.instances("never(S)")] == ["never(much)"]
+
+
+def test_what_is_valid_besides_something_undefined_is_told_first():
+    text = 'p(X) :- n(X). q(X) :- n(X). n(a). n(1). never("big") :- claim(p(X)), X > 9. never("big") :- claim(q(X)), X > 9.'
+    base, found = KnowledgeBase.from_text(text), []
+    with pytest.raises(Undefined):
+        found.extend(str(answer) for answer in base.instances("valid(S)"))
+    assert {"valid(p(1))", "valid(q(1))"} <= set(found) and "valid(p(a))" not in found
+    assert base.truth("valid(p(a))") == "undefined" and base.truth("valid(7)") == "false"
+
+
+def test_what_is_valid_is_told_again_when_it_is_asked_again():
+    base = KnowledgeBase.from_text('p(X) :- n(X). n(1). n(2). n(30). never("big") :- claim(p(X)), X > 9.')
+    answers = [[str(answer) for answer in base.instances("valid(p(X))")] for _ in range(3)]
+    assert answers == [["valid(p(1))", "valid(p(2))"]] * 3
 
 
 def test_a_clash_leaves_open_what_a_negation_leaves_open():

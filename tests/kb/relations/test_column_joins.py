@@ -82,6 +82,24 @@ def test_columns_give_the_answers_of_rows(data, block, picked):
         assert told_of_table(base, query) == table
 
 
+WHOLE = [(7, 2), (-7, 2), (7, -2), (-7, -2), (0, 3), (6, 3), (5, 5)]
+REAL = [(0.5, 2.0), (-0.5, 0.25), (3.5, 3.5), (0.0, -4.0)]
+EXPRESSIONS = ["X + Y", "X - Y", "X * Y", "X // Y", "X div Y", "X mod Y", "min(X, Y)", "max(X, Y)", "X / Y", "-X", "+X", "abs(X)"]
+ORDERS = ["X < Y", "X > Y", "X =< Y", "X >= Y", "X =:= Y", "X =\\= Y", "X = Y", "X \\= Y", "X == Y", "X \\== Y"]
+
+
+@pytest.mark.parametrize("data", [WHOLE, REAL], ids=["whole numbers", "floats"])
+@pytest.mark.parametrize("condition", [*(f"W is {e}" for e in EXPRESSIONS), *ORDERS, *(f"\\+ {order}" for order in ORDERS)])
+def test_every_operation_and_comparison_gives_on_columns_what_it_gives_of_each_row(condition, data):
+    base, query = base_of(data, []), f"r(X, Y), {condition}"
+    with settings(10**9, 10**9, 1 << 16):
+        plain = told(lambda: base.query(query))
+    with settings(0, 1, 1 << 16):
+        assert told(lambda: base.query(query)) == plain
+        if not plain[1]:
+            assert told_of_table(base, query) == plain[0]
+
+
 @pytest.mark.parametrize(
     "query",
     ["r(X, Y), s(Y, Z)", "r(X, _)", "r(X, Y), \\+ s(X, Y)", "r(X, Y), X > Y", "r(X, Y), W is X + Y, s(_, W)", "r(X, Y), s(Y, W), X \\= W"],

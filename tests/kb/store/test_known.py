@@ -50,6 +50,16 @@ def test_a_statement_with_something_open_is_not_decided_by_it():
     assert not base.ask(("likes", "tea", Variable("What")))
 
 
+def test_one_look_at_the_rows_decides_what_has_nothing_open():
+    at_hand = KnowledgeBase.from_text("size(1). size(f(a)). human(ann).")._model.at_hand
+    stated = [("size", 1), ("size", ("f", "a")), ("human", "ann")]
+    others = [("size", 2), ("size", ("f", "b")), ("human", "bob")]
+    left = [("size", Variable("X")), ("size", ("f", Variable("X"))), ("human", Variable("X")), ("robot", "ann")]
+    assert [looked_up(statement, at_hand) for statement in stated] == [True] * 3
+    assert [looked_up(statement, at_hand) for statement in others] == [False] * 3
+    assert [looked_up(statement, at_hand) for statement in left] == [None] * 4
+
+
 def test_a_name_with_two_arities_is_not_decided_by_it():
     base = asked_often("human(ann). human(ann, bob).")
     assert base._known.lengths == {}
@@ -85,6 +95,8 @@ def test_what_is_no_statement_is_refused(statement):
 
 def test_too_many_rows_are_not_kept_in_one_set(monkeypatch):
     base = KnowledgeBase.from_text("human(ann). human(bob).")
+    assert len(known_of(base._model.relations).true) == 2
+    monkeypatch.setattr("casper.kb.store.known.MOST_INDEXED", 2)
     assert len(known_of(base._model.relations).true) == 2
     monkeypatch.setattr("casper.kb.store.known.MOST_INDEXED", 1)
     assert not known_of(base._model.relations).true

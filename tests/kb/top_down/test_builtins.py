@@ -57,6 +57,26 @@ GOALS = [
     "nth1(1, L, E)",
     "nth1(4, [a, b | T], c)",
     "length(L, 1), member(X, [1, 2]), L = [X]",
+    "sub_atom(abcde, B, 2, 1, S)",
+    "sub_atom(abcde, B, 2, 0, S)",
+    "sub_atom(abcde, 0, 5, 0, S)",
+    "sub_atom(ab, B, 3, 0, S)",
+    "sub_atom(abc, B, L, 1, S)",
+    "sub_atom(abc, 3, L, A, S)",
+    "sub_atom(abc, 1, 1, 1, S)",
+    "sub_atom(abc, 1, 1, 0, S)",
+    "sub_atom(banana, B, 3, A, ana)",
+    "atom_number('-', N)",
+    "atom_number('+5', N)",
+    "atom_number('- 5', N)",
+    "atom_number('5 ', N)",
+    "atom_number('5.', N)",
+    "atom_number('5%', N)",
+    "atom_number('1_000', N)",
+    "atom_number('-0x1F', N)",
+    "atom_number('2''101', N)",
+    "atom_number('0''a', N)",
+    "atom_number('', N)",
     "length([a | T], 3), append(T, [X], [1, 2, 3])",
     "nth0(1, L, E), member(E, [1, 2])",
     "last([a, b, c], X)",
@@ -198,6 +218,14 @@ def test_the_kind_of_a_value_that_could_not_be_worked_out_is_undefined():
 @pytest.mark.parametrize("goal", ["length(L, -1)", "nth0(-1, L, a)", "nth0(3, [a, b | c], X)"])
 def test_no_list_has_a_negative_length_or_place_or_one_behind_its_end(goal):
     assert ours(PROGRAM, goal) == []
+
+
+def test_characters_have_every_code_there_is_and_change_case_one_by_one():
+    base = KnowledgeBase.from_text("p(a).")
+    assert [answer["X"] for code in (0, 0x10FFFF) for answer in base.query(f"char_code(X, {code})")] == ["\0", "\U0010ffff"]
+    with pytest.raises(Undefined):
+        list(base.query("char_code(X, 1114112)"))
+    assert [answer["X"] for answer in base.query("upcase_atom('straße', X)")] == ["STRAßE"]
 
 
 def test_a_built_in_waits_until_it_can_be_decided_wherever_it_stands():
