@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from copy import copy
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeAlias, runtime_checkable
 
 from casper.engine.collaboration.collaboration import Capability, CollaborativePlan, collaborative_plan
 from casper.engine.episodes.growing import Step, Taken
@@ -22,6 +22,7 @@ from casper.engine.verification.matching import (
     NameMatcher,
     ParameterMatcher,
     Recipe,
+    Slot,
     bindings_of,
     filled,
     slots_of,
@@ -56,6 +57,10 @@ class LooksBack(Protocol):
 
     def of(self, agent: str | None, past: Past) -> Matcher:
         """The matcher for an agent after this past."""
+
+
+# what its arguments are (None: not known apart), its action, what is closed and entered after it, missed, parameters
+OpenLeaf: TypeAlias = "tuple[tuple[Slot, ...] | None, Compound, tuple[int, int], int, int]"
 
 
 class Standing(NamedTuple):
@@ -105,6 +110,7 @@ class Enumerated:
                 self._having.setdefault(name, []).append(goal)
         self._first: dict[tuple[int, Seen, str | None], Sequence[Step[Standing]]] = {}  # of goals that begin
         self._choices: dict[tuple[int, int | None, int], int] = {}
+        self._ready: dict[tuple[int | None, int, int, str], Sequence[OpenLeaf]] = {}
         self._left: dict[tuple[int, int, int], int] = {}
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -133,6 +139,8 @@ class Enumerated:
         """Every leaf of the name that is open and takes the arguments."""
         if state.plan is not None:
             if isinstance(seen, Observation):
+                if self._slots is not None and seen.is_plain:
+                    return self._filled(state, seen)
                 leaves = self._named[state.plan].get(seen.action)
                 return self._taken(state, seen, 1.0, self._for(agent), leaves) if leaves is not None else ()
             return [step for option, weight in options_of(seen) for step in self._of(state, option, weight, agent)]
@@ -149,6 +157,8 @@ class Enumerated:
 
     def _of(self, at: Standing, seen: Observation, weight: float, agent: str | None) -> Sequence[Step[Standing]]:
         assert at.plan is not None
+        if weight == 1.0 and self._slots is not None and seen.is_plain:
+            return self._filled(at, seen)
         return self._taken(at, seen, weight, self._for(agent), self._named[at.plan].get(seen.action, ()))
 
     def _follow_changes(self) -> None:
@@ -161,26 +171,52 @@ class Enumerated:
         pairs = [(standing, option, weight) for standing in begun for option, weight in options_of(seen)]
         return [step for standing, option, weight in pairs for step in self._of(standing, option, weight, agent)]
 
+    def _filled(self, at: Standing, seen: Observation) -> Sequence[Step[Standing]]:
+        """The same as `_taken` says, and faster, where arguments need but be compared: no reasons are asked for."""
+        goal, number, closed, entered, binding = at
+        args = seen.args or ()
+        ready = self._ready.get((number, closed, entered, seen.action))
+        if ready is None:
+            ready = self._open_leaves(at, seen.action)
+        found = []
+        for slots, action, after, missed, free in ready:
+            if slots is None:  # a compound argument must be unified
+                assert number is not None
+                return self._taken(at, seen, 1.0, self._matcher, self._named[number][seen.action])
+            bound = filled(slots, args, binding)
+            if bound is not None:
+                fresh = min(binding.count(None) - bound.count(None), free) if bound is not binding else 0
+                standing = Standing(goal, number, after[0], after[1], bound)
+                found.append(Step(standing, missed, action, 1.0, False, fresh))
+        return found
+
+    def _open_leaves(self, at: Standing, name: str) -> Sequence[OpenLeaf]:
+        """The open leaves of the name that come after few enough unseen ones, whatever the arguments."""
+        if len(self._ready) > MOST_KEPT:
+            self._ready.clear()
+        number, closed, entered = at.plan, at.closed, at.entered
+        assert number is not None and self._slots is not None
+        plan, found = self.plans[number], list[OpenLeaf]()
+        for leaf in self._named[number].get(name, ()):
+            if not closed >> leaf & 1:
+                after = plan.chart.close((closed, entered, 0, 0), leaf)
+                if after[3] <= self.most_missed:
+                    slots, free = self._slots[number][leaf], self._free[number][leaf]
+                    found.append((slots, plan.leaves[leaf], after[:2], after[3], free))
+        self._ready[number, closed, entered, name] = found
+        return found
+
     def _taken(
         self, at: Standing, seen: Observation, weight: float, matcher: Matcher, leaves: Sequence[int]
     ) -> Sequence[Step[Standing]]:
         goal, number, closed, entered, binding = at
         assert number is not None
         found: list[Step[Standing]] = []
-        args = seen.args or ()
-        plain = self._slots[number] if self._slots is not None and seen.is_plain else None  # no reasons are asked for
         for leaf in leaves:
             if not closed >> leaf & 1:
-                slots = None if plain is None else plain[leaf]
-                if slots is not None:
-                    bound = filled(slots, args, binding)
-                    if bound is None:
-                        continue
-                else:
-                    matched = matcher.match(number, leaf, seen, binding)
-                    if isinstance(matched, Mismatch):
-                        continue
-                    bound = matched
+                bound = matcher.match(number, leaf, seen, binding)
+                if isinstance(bound, Mismatch):
+                    continue
                 plan = self.plans[number]
                 after = plan.chart.close((closed, entered, 0, 0), leaf)
                 if after[3] <= self.most_missed:

@@ -9,8 +9,8 @@ from typing import Generic, TypeVar
 
 from casper.engine.episodes.growing import Growing
 from casper.engine.episodes.hypotheses.agreeing import contradicts, numbers, settle
-from casper.engine.episodes.hypotheses.expanding import BEGINS, NEEDLESS, Candidate, Expansion, closing_prices
-from casper.engine.episodes.hypotheses.growth import Bounds
+from casper.engine.episodes.hypotheses.expanding import BEGINS, Candidate, Expansion, closing_prices
+from casper.engine.episodes.hypotheses.growth import Bounds, Grower
 from casper.engine.episodes.hypotheses.hypothesis import Closed, Event, Hypothesis, Instance, Key, Level, Outcome
 from casper.engine.episodes.hypotheses.idling import SOON, Idling
 from casper.engine.episodes.prices import Prices
@@ -39,8 +39,10 @@ class Advance(Generic[S]):
             dropped += max(0.0, sum(candidate.weight for candidate in candidates.values()) - kept)
         whole = kept + dropped
         current = {goal: weight / whole for goal, weight in expansion.current.items()}
-        made = [self._made(candidate, event) for candidate in found]
-        return self._level(level, event, made, current, dropped / whole)
+        made = [self._made(candidate, event, expansion.grower) for candidate in found]
+        passed_over = expansion.passed_over / sum(hypothesis.weight for hypothesis in level.hypotheses)
+        left_out = passed_over + (1 - passed_over) * dropped / whole
+        return self._level(level, event, made, current, left_out)
 
     def unknown(self, level: Level[S], event: Event, foreign: Foreign) -> Level[S]:
         """The level after an action that no plan has: needless by every hypothesis."""
@@ -82,21 +84,21 @@ class Advance(Generic[S]):
 
     # --- making and closing ------------------------------------------------------------------------------------------
 
-    def _made(self, candidate: Candidate[S], event: Event) -> Hypothesis[S]:
+    def _made(self, candidate: Candidate[S], event: Event, grower: Grower[S]) -> Hypothesis[S]:
         """The hypothesis with the story of its heaviest derivation."""
-        parent, at, instance, finish = candidate.way
+        parent, at, growth, finish = candidate.way
         weight, best = candidate.weight, candidate.best
-        if at == NEEDLESS:
+        if growth is None:
             return _needless(parent, weight, best, event.number)
         instances, closed = parent.instances, parent.closed
-        owner = event.agent if at == BEGINS else instances[at].body.owner
-        if at != BEGINS:
+        before = None if at == BEGINS else instances[at]
+        if before is not None:
             instances = instances[:at] + instances[at + 1 :]
-        if instance is not None:
-            instances = (*instances, instance)
-        if finish is not None:
-            sure = candidate.share / weight
-            closed = (*closed, Closed(finish.goal, owner, "finished", finish.link, 0, event.number, sure))
+        if finish is None:
+            return Hypothesis((*instances, grower.instance(before, growth)), weight, best, closed, parent.needless)
+        owner, sure = event.agent if before is None else before.body.owner, candidate.share / weight
+        link = grower.link(before, finish)
+        closed = (*closed, Closed(finish.goal, owner, "finished", link, 0, event.number, sure))
         return Hypothesis(instances, weight, best, closed, parent.needless)
 
     def _closed(

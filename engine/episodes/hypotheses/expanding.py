@@ -33,11 +33,11 @@ CONTRADICTION = 1e-9  # the factor of taking for needless what is known to serve
 
 
 class Way(NamedTuple, Generic[S]):
-    """How a hypothesis came out of another: which instance went on (or began, or none), to what, what it finished."""
+    """How a hypothesis came out of another: which instance went on (or began, or none), how, and what it finished."""
 
     parent: Hypothesis[S]
     at: int
-    instance: Instance[S] | None
+    growth: Growth[S] | None
     finish: Finish[S] | None
 
 
@@ -54,23 +54,28 @@ class Expansion(Generic[S]):
     """All that one observation leads to.
 
     ``candidates`` are the hypotheses by their instances, ``current`` what the observation was taken for by goal,
-    ``dropped`` the weight of what was too light to be looked at.
+    ``dropped`` the weight of what was too light to be looked at, ``passed_over`` that of the hypotheses themselves for
+    which no tries were left.
     """
 
     def __init__(
         self, growing: Growing[S], prices: Prices, priors: list[float], idling: Idling, bounds: Bounds, event: Event
     ) -> None:
-        self._prices, self._priors, self._idling, self._least, self._event = prices, priors, idling, bounds.floor, event
-        self._grower = Grower(growing, prices, bounds, event)
+        self._prices, self._priors, self._idling, self._event = prices, priors, idling, event
+        self._least, self._tries = bounds.floor, bounds.tries
+        self.grower = Grower(growing, prices, bounds, event)
         self._weights: dict[Growth[S], float] = {}
         self.candidates: dict[Key[S], Candidate[S]] = {}
-        self.dropped = self._floor = 0.0
+        self.dropped = self.passed_over = self._floor = 0.0
 
     def run(self, level: Level[S]) -> None:
-        """Expand every hypothesis."""
+        """Expand every hypothesis, the heaviest first, while there are tries left."""
         self._counts = level.counts
-        begun, needless = self._grower.begun(self._priors), needless_price(self._prices, self._event)
-        for hypothesis in level.hypotheses:
+        begun, needless = self.grower.begun(self._priors), needless_price(self._prices, self._event)
+        for at, hypothesis in enumerate(level.hypotheses):
+            if self.grower.tried >= self._tries:
+                self.passed_over = sum(lighter.weight for lighter in level.hypotheses[at:])
+                break
             key = hypothesis.key
             is_free = self._go_on(hypothesis, key)
             if begun is not None:
@@ -89,8 +94,8 @@ class Expansion(Generic[S]):
 
     def _go_on(self, hypothesis: Hypothesis[S], key: Key[S]) -> bool:
         """Every instance that can take the observation does; whether the agent has nothing open."""
-        agent, grown = self._event.agent, self._grower.grown
-        growths = [grown(instance) for instance in hypothesis.instances]
+        agent, grown = self._event.agent, self.grower.grown
+        growths = [grown(body) for body in key]
         own = [at for at, body in enumerate(key) if body.owner == agent]
         for group in (own, [at for at in range(len(key)) if at not in own] if len(own) < len(key) else []):
             if any(growths[at] is not None for at in group):
@@ -108,11 +113,10 @@ class Expansion(Generic[S]):
         weight = hypothesis.weight * factor
         self._weights[growth] = self._weights.get(growth, 0.0) + weight
         self.dropped += weight * growth.dropped
-        instance = growth.instance
-        if instance is not None:
-            self._add((*remaining, instance.body), factor * growth.whole, Way(hypothesis, at, instance, None))
+        if growth.body is not None:
+            self._add((*remaining, growth.body), factor * growth.whole, Way(hypothesis, at, growth, None))
         for finish in growth.finished:
-            self._add(remaining, factor * finish.factor, Way(hypothesis, at, None, finish))
+            self._add(remaining, factor * finish.factor, Way(hypothesis, at, growth, finish))
 
     def _add(self, key: Key[S], factor: float, way: Way[S]) -> None:
         weight = way.parent.weight * factor

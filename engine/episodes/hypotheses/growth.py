@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from operator import itemgetter
 from typing import Any, Generic, NamedTuple, TypeVar
@@ -13,6 +13,7 @@ from casper.engine.episodes.prices import Prices
 from casper.engine.settings import require
 
 S = TypeVar("S")
+SAME = 1e-12  # by how much shares differ that are equal but for rounding
 _FACTOR: Callable[[list[Any]], float] = itemgetter(1)
 
 
@@ -21,71 +22,98 @@ class Bounds:
     """How much is kept.
 
     keep: the heaviest hypotheses, none below ``floor`` of the heaviest one's weight. entries: what one instance may
-    be, none below ``least`` of its likeliest one. lag: for how many observations what was believed and what closed is
-    kept.
+    be, none below ``least`` of its likeliest one. tries: how many states of instances one observation is tried on; the
+    lightest hypotheses are dropped for it. lag: for how many observations what was believed and what closed is kept.
     """
 
-    keep: int = 100
+    keep: int = 300
     floor: float = 1e-4
     entries: int = 300
     least: float = 1e-3
+    tries: int = 4000
     lag: int = 100
 
     def __post_init__(self) -> None:
-        require(min(self.keep, self.entries, self.lag) >= 1, "keep, entries and lag of a day start at 1")
+        least = min(self.keep, self.entries, self.tries, self.lag)
+        require(least >= 1, "keep, entries, tries and lag of a day start at 1")
         require(0 <= self.floor < 1 and 0 <= self.least < 1, "floor and least of a day are from 0 and below 1")
 
 
 class Finish(NamedTuple, Generic[S]):
-    """An instance that is finished by a step: its goal, the factor, and how it came there."""
+    """A body that is finished by a step: its goal, the factor, the likeliest step and which entry took it."""
 
     goal: int
     factor: float
-    link: Link[S]
+    step: Step[S]
+    source: int
 
 
 class Growth(Generic[S]):
-    """An instance after an observation.
+    """A body after an observation.
 
-    ``instance`` (None: none is left open) has the factor ``whole``, each of ``finished`` its own. ``goals`` are the
-    factors by goal, ``dropped`` is the factor of what was too unlikely to be kept.
+    ``body`` (None: none is left open) has the factor ``whole``, each of ``finished`` its own. ``goals`` are the
+    factors by goal, ``dropped`` is the factor of what was too unlikely to be kept. How instances of the old body come
+    to it is worked out for those only that are kept (`Grower.instance`): ``ways`` are, by entry of the new one, the
+    likeliest step and which entry of the old one took it.
     """
 
-    __slots__ = ("dropped", "finished", "goals", "instance", "whole")
+    __slots__ = ("body", "dropped", "finished", "goals", "ways", "whole")
 
     def __init__(
         self,
-        instance: Instance[S] | None,
+        body: Body[S] | None,
         whole: float,
         finished: list[Finish[S]],
         goals: dict[int, float],
         dropped: float,
+        ways: Sequence[tuple[Step[S], int]],
     ) -> None:
-        self.instance, self.whole, self.finished, self.goals, self.dropped = instance, whole, finished, goals, dropped
+        self.body, self.whole, self.finished, self.goals = body, whole, finished, goals
+        self.dropped, self.ways = dropped, ways
 
 
 class Grower(Generic[S]):
-    """Grows instances by one observation; equal bodies are made once."""
+    """Grows bodies by one observation, each once; equal ones are made once.
+
+    ``tried`` counts the states that were asked to take the observation.
+    """
 
     def __init__(self, growing: Growing[S], prices: Prices, bounds: Bounds, event: Event) -> None:
         self._growing, self._prices, self._bounds, self._event = growing, prices, bounds, event
-        self._grown: dict[Instance[S], Growth[S] | None] = {}
-        self._bodies: dict[Any, Body[S]] = {}
+        self._grown: dict[Body[S], Growth[S] | None] = {}
+        self._bodies: dict[Any, list[Body[S]]] = {}
+        self._instances: dict[tuple[Instance[S] | None, Growth[S]], Instance[S]] = {}
+        self.tried = 0
 
-    def grown(self, instance: Instance[S]) -> Growth[S] | None:
-        """The instance after the observation; None where it cannot take it."""
-        if instance not in self._grown:
-            body = instance.body
+    def grown(self, body: Body[S]) -> Growth[S] | None:
+        """The body after the observation; None where it cannot take it."""
+        if body not in self._grown:
+            self.tried += len(body.entries)
             helping = 1.0 if body.owner == self._event.agent else self._prices.helping
-            sources = zip(body.entries, instance.links)
-            self._grown[instance] = self._made(self._steps(sources, helping), body.owner, body.touched)
-        return self._grown[instance]
+            self._grown[body] = self._made(self._steps(body.entries, helping), body.owner, body.touched)
+        return self._grown[body]
 
     def begun(self, priors: list[float]) -> Growth[S] | None:
         """A goal that begins with the observation; None where none can."""
         return self._made(self._first_steps(priors), self._event.agent, 0)
 
-    def _first_steps(self, priors: list[float]) -> Iterator[tuple[int, float, Step[S], Link[S] | None]]:
+    def instance(self, before: Instance[S] | None, growth: Growth[S]) -> Instance[S]:
+        """The instance (None: one that begins) that has grown."""
+        assert growth.body is not None
+        key = before, growth
+        known = self._instances.get(key)
+        if known is None:
+            event, links = self._event, None if before is None else before.links
+            ways = growth.ways
+            made = [Link(event, step, None if links is None else links[source]) for step, source in ways]
+            known = self._instances[key] = Instance(growth.body, tuple(made))
+        return known
+
+    def link(self, before: Instance[S] | None, finish: Finish[S]) -> Link[S]:
+        """How the instance came to be finished."""
+        return Link(self._event, finish.step, None if before is None else before.links[finish.source])
+
+    def _first_steps(self, priors: list[float]) -> Iterator[tuple[int, float, Step[S], int]]:
         growing, seen, agent = self._growing, self._event.seen, self._event.agent
         for goal in self._allowed(growing.begins_with(seen)):
             state = growing.begin(goal)
@@ -93,46 +121,44 @@ class Grower(Generic[S]):
             if steps:
                 share = priors[goal] / max(1, growing.choices(state))
                 for step in steps:
-                    yield goal, share, step, None
+                    yield goal, share, step, 0
 
     def _allowed(self, goals: Iterable[int]) -> Iterable[int]:
         only = self._event.only
         return goals if only is None else [goal for goal in goals if goal in only]
 
-    def _steps(
-        self, sources: Iterable[tuple[Entry[S], Link[S]]], helping: float
-    ) -> Iterator[tuple[int, float, Step[S], Link[S] | None]]:
-        growing, seen, agent = self._growing, self._event.seen, self._event.agent
-        only = self._event.only
-        for (goal, state, share), link in sources:
+    def _steps(self, entries: Iterable[Entry[S]], helping: float) -> Iterator[tuple[int, float, Step[S], int]]:
+        asked, choices = self._growing.steps, self._growing.choices
+        seen, agent, only = self._event.seen, self._event.agent, self._event.only
+        for source, (goal, state, share) in enumerate(entries):
             if only is not None and goal not in only:
                 continue
-            steps = growing.steps(state, seen, agent)
+            steps = asked(state, seen, agent)
             if steps:
-                each = share / max(1, growing.choices(state))
+                each = share / max(1, choices(state))
                 for step in steps:
-                    yield goal, each if step.is_theirs else each * helping, step, link
+                    yield goal, each if step.is_theirs else each * helping, step, source
 
     def _made(
-        self, steps: Iterable[tuple[int, float, Step[S], Link[S] | None]], owner: str | None, touched: int
+        self, steps: Iterable[tuple[int, float, Step[S], int]], owner: str | None, touched: int
     ) -> Growth[S] | None:
         missed, settled = self._prices.missed, self._prices.settled
-        found: dict[S, list[Any]] = {}  # goal, factor, the largest part of it, its step and the link before
-        for goal, share, step, before in steps:
+        found: dict[S, list[Any]] = {}  # goal, factor, the largest part of it, its step and the entry that took it
+        for goal, share, step, source in steps:
             state, skipped, _, weight, _, fresh = step
             factor = share * weight * missed**skipped * settled**fresh
             known = found.get(state)
             if known is None:
-                found[state] = [goal, factor, factor, step, before]
+                found[state] = [goal, factor, factor, step, source]
             else:
                 known[1] += factor
                 if factor > known[2]:
-                    known[2:] = factor, step, before
+                    known[2:] = factor, step, source
         return self._split(found, owner, touched) if found else None
 
     def _split(self, found: dict[S, list[Any]], owner: str | None, touched: int) -> Growth[S]:
         """What is finished, and what goes on."""
-        growing, event = self._growing, self._event
+        growing = self._growing
         goals: dict[int, float] = {}
         finished: dict[int, Finish[S]] = {}
         going: list[list[Any]] = []
@@ -140,10 +166,7 @@ class Grower(Generic[S]):
             goal, factor = made[0], made[1]
             goals[goal] = goals.get(goal, 0.0) + factor
             if growing.is_done(state) and not growing.choices(state):
-                known = finished.get(goal)
-                link = Link(event, made[3], made[4])
-                better = known.link if known is not None and known.factor >= factor else link
-                finished[goal] = Finish(goal, factor + (known.factor if known is not None else 0.0), better)
+                finished[goal] = _likelier(finished.get(goal), Finish(goal, factor, made[3], made[4]))
             else:
                 going.append(made)
         going.sort(key=_FACTOR, reverse=True)
@@ -153,17 +176,31 @@ class Grower(Generic[S]):
             kept.pop()
         whole = sum(map(_FACTOR, kept))
         dropped = sum(map(_FACTOR, going[len(kept) :]))
-        instance = self._instance(kept, whole, owner, touched) if kept else None
-        return Growth(instance, whole, list(finished.values()), goals, dropped)
+        body = self._body(kept, whole, owner, touched) if kept else None
+        ways = [(made[3], made[4]) for made in kept]
+        return Growth(body, whole, list(finished.values()), goals, dropped, ways)
 
-    def _instance(
-        self, kept: list[list[Any]], whole: float, owner: str | None, touched: int
-    ) -> Instance[S]:
-        event = self._event
-        now = event.own_number if owner == event.agent else touched
+    def _body(self, kept: list[list[Any]], whole: float, owner: str | None, touched: int) -> Body[S]:
+        now = self._event.own_number if owner == self._event.agent else touched
         entries = tuple([Entry(made[0], made[3].state, made[1] / whole) for made in kept])
-        key = (owner, now, *[(state, round(share, 12)) for _, state, share in entries])
-        body = self._bodies.get(key)
-        if body is None:
-            body = self._bodies[key] = Body(entries, owner, now, all(self._growing.is_done(e.state) for e in entries))
-        return Instance(body, tuple([Link(event, made[3], made[4]) for made in kept]))
+        alike = self._bodies.setdefault((owner, now, len(entries), entries[0].state), [])
+        for body in alike:
+            if _are_equal(body.entries, entries):
+                return body
+        is_done = self._growing.is_done
+        alike.append(Body(entries, owner, now, all([is_done(entry.state) for entry in entries])))
+        return alike[-1]
+
+
+def _likelier(known: Finish[S] | None, found: Finish[S]) -> Finish[S]:
+    """Both together, told as the likelier one."""
+    if known is None:
+        return found
+    return (known if known.factor >= found.factor else found)._replace(factor=known.factor + found.factor)
+
+
+def _are_equal(some: Sequence[Entry[S]], others: Sequence[Entry[S]]) -> bool:
+    """Whether they are the same states as likely, but for rounding."""
+    return all(
+        abs(one.share - other.share) <= SAME and one.state == other.state for one, other in zip(some, others)
+    )
