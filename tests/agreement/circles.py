@@ -81,9 +81,9 @@ def searched(base: KnowledgeBase) -> tuple[set[Compound], set[Compound]]:
     open_: set[Compound] = set()
     for indicator in DERIVED.items():
         pattern = _everything(indicator)
-        for bindings, is_certain in Search({}, clauses).outcomes([Literal(pattern)]):
+        for bindings, doubt in Search({}, clauses).outcomes([Literal(pattern)]):
             assert bindings is not None  # an evaluation that failed: there is none here
-            (true if is_certain else open_).add(substitute(pattern, bindings))
+            (open_ if doubt else true).add(substitute(pattern, bindings))
     return true, open_ - true
 
 
