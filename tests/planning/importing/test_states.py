@@ -39,8 +39,8 @@ def values(problem, kb, history):
                 yield expression, bool(list(solver.rows([Literal(Compound(("holds", known, "now")))], [])))
             else:
                 asked = Literal(Compound(("value", known, value, "now")))
-                found = [row[0] for row, _ in solver.rows([asked], [value])]
-                yield expression, found[0] if len(found) == 1 else found
+                found = {row[0] for row, _ in solver.rows([asked], [value])}
+                yield expression, found.pop() if len(found) == 1 else found
 
 
 def plain(value):
