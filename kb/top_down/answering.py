@@ -74,11 +74,12 @@ class Answering(PlainSolver):
     def _searched_rows(self, body: Sequence[Literal], names: Sequence[Variable]) -> Iterator[tuple[Row, str]]:
         """As `rows`, by the machine."""
         asked = body if self.code is None else self.code.query(body)
-        columns = {name: at for at, name in enumerate(names_of(asked))}
+        inside = set(names_of(asked))
+        columns = {name: at for at, name in enumerate(dict.fromkeys(name for name in names if name in inside))}
         places = [columns.get(name, -1) for name in names]
         search = self._search()
         try:
-            for values, doubt in search.found(asked, {}):
+            for values, doubt in search.found(asked, {}, wanted=list(columns)):
                 yield _picked(places, names, values), doubt
         except BudgetExceeded:
             above = self._listing()

@@ -90,10 +90,12 @@ class Search:
                 if key not in known:
                     raise Undefined(f"whether this holds is neither true nor false: {doubt}")
 
-    def found(self, body: Sequence[Literal], given: Bindings, doubt: str = "") -> Iterator[tuple[Row, str]]:
+    def found(
+        self, body: Sequence[Literal], given: Bindings, doubt: str = "", wanted: Sequence[Variable] | None = None
+    ) -> Iterator[tuple[Row, str]]:
         """The values of the body's variables, in their order, in every answer, with what makes it doubtful.
 
-        Raises as `outcomes` does.
+        Where only some are ``wanted``, those, in that order: the others are not copied. Raises as `outcomes` does.
         """
         names = names_of(body)
         links = Links(self.relations, self._compiled, self.computed)
@@ -103,10 +105,11 @@ class Search:
         machine = Machine(links, self.meter(body), self.floundering_fails)
         stop = Node(STOP, ("", 0), _nothing, None, ROOT)
         chain = linked([*(node_of(literal, slots, given) for literal in body), stop])
+        places = range(1, len(names) + 1) if wanted is None else [slots[name] for name in wanted]
         own = {id(cell): variable for variable, cell in cells.items()}
         try:
             for answer, reason in machine.answers(chain, frame, doubt):
-                values = tuple(map(deref, answer[1:]))
+                values = tuple([deref(answer[at]) for at in places])
                 if not all(map(_PLAIN.__contains__, map(type, values))):
                     holes = _named(names, given, answer, own, frame)
                     values = tuple([freeze(value, holes, Compound) for value in values])

@@ -41,6 +41,11 @@ def test_what_is_too_large_to_be_told_is_unknown(goal):
         list(base.query(goal))
 
 
+def test_what_is_not_asked_for_is_not_copied():
+    assert len(list(base.query("grow(60, X, _Y)"))) == 1
+    assert list(base.query("grow(60, a, _Y), X = b")) == [{"X": "b"}]
+
+
 def doubled(part, times):
     for _ in range(times):
         part = Compound(("f", part, part))
