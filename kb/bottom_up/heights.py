@@ -22,7 +22,7 @@ _SETTLED = "settled: "  # in front of the name of a predicate whose rows are all
 
 
 def least_heights(program: Program, relations: Mapping[Indicator, Relation]) -> dict[Indicator, Relation]:
-    """The same rows, each with the least height of a proof as its round."""
+    """The same rows, and the undefined ones beside them, each row with the least height of a proof as its round."""
     stored = frozenset(indicator for stratum in program.strata for indicator in stratum)
     rules = {indicator: tuple(_settled(rule) for rule in program.rules[indicator]) for indicator in stored}
     found = {i: Relation(*i, (row for row in program.given[i] if row in relations[i])) for i in stored}
@@ -30,6 +30,8 @@ def least_heights(program: Program, relations: Mapping[Indicator, Relation]) -> 
     everything.update((_final(indicator), relations[indicator]) for indicator in stored)
     room = Room(MOST_ROWS, everything)
     Within(replace(program, rules=rules), stored, everything, room, relations, Possible(everything)).run(0)
+    for indicator, relation in found.items():
+        relation.undefined = relations[indicator].undefined  # a proof rests on no absence of what may be there
     return found
 
 

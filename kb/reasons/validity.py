@@ -28,6 +28,7 @@ from casper.kb.top_down.solve import Solver
 
 History: TypeAlias = Sequence[tuple[Term, float]]  # what happened earlier: (statement, seconds)
 _FILL_LIMIT = 1000  # instances looked at before a part is given up as open
+_CLAIM: Indicator = ("claim", 1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +92,7 @@ class Constraints:
         candidates = [(clause, join) for clause, join in self.by_claim if _may_concern(clause, claim)]
         if not candidates:
             return
-        relations = _Overlay(solver.relations, {("claim", 1): Relation("claim", 1, [(rigid(as_term(claim)),)])})
+        relations = _Overlay(solver.relations, {_CLAIM: Relation(*_CLAIM, [(rigid(as_term(claim)),)])})
         is_open = not is_ground(claim)
         for clause, join in candidates:
             if join is not None and not is_open and _is_settled(clause, relations):
@@ -162,7 +163,7 @@ def _compiled(clause: Clause, program: Program) -> Join | None:
 def _may_concern(clause: Clause, claim: Compound) -> bool:
     """A quick look: a constraint on a claim of another name or arity cannot be broken by this one."""
     for literal in clause.body:
-        pattern = literal.atom[1] if literal.atom.indicator == ("claim", 1) and not literal.negated else None
+        pattern = literal.atom[1] if literal.atom.indicator == _CLAIM and not literal.negated else None
         if isinstance(pattern, (str, Compound)) and predication(pattern).indicator != claim.indicator:
             return False
     return True

@@ -61,6 +61,12 @@ def test_they_are_an_instance_of_the_rule_that_holds_among_earlier_rows(text):
                         assert model.relations[literal.needed].round_of(literal.atom.args) < round_
 
 
+def test_a_proof_rests_on_no_absence_of_what_is_undefined():
+    text = "b(0). b(1). g(0, []). g(1, 2). h(X) :- b(X), \\+ (g(X, Y), Y =\\= X). h(X) :- b(X), X < 1."
+    proof = KnowledgeBase.from_text(text).why("h(0)")
+    assert [str(premise.literal) for premise in proof.premises] == ["b(0)", "0 < 1"]
+
+
 def test_what_is_counted_is_left_to_a_search():
     model = KnowledgeBase.from_text("many(N) :- aggregate_all(count, human(_), N). human(ann).")._model
     (rule,) = model.program.rules["many", 1]

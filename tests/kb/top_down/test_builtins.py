@@ -114,6 +114,8 @@ GOALS = [
     "maplist(twice, [], L)",
     "true",
     "fail",
+    "false",
+    "false ; true",
     "not(member(c, [a, b]))",
     "not(member(a, [a, b]))",
     "\\+ member(c, [a, b])",
@@ -261,7 +263,7 @@ def test_an_own_definition_wins_over_a_built_in_and_the_library_keeps_its_own():
     assert [a["X"] for a in base.query("last([a, b], X)")] == ["b"]
 
 
-@pytest.mark.parametrize("text", ["true.", "fail :- p. p.", "not(X) :- p(X). p(a).", "call(X) :- p(X). p(a)."])
+@pytest.mark.parametrize("text", ["true.", "fail :- p. p.", "false :- p. p.", "not(X) :- p(X). p(a).", "call(X) :- p(X). p(a)."])
 def test_control_cannot_be_redefined(text):
     with pytest.raises(ProgramError, match="defined by the system"):
         KnowledgeBase.from_text(text)
