@@ -5,13 +5,13 @@ from __future__ import annotations
 import gc
 import random
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import kitchens
 import recipes
 import whole_days
-from rivals import BayesianFilter, phatt_goals
+from rivals import BayesianFilter, Listed, phatt_goals
 
 from casper.engine.episodes.day import Day
 from casper.engine.episodes.enumerated import Enumerated
@@ -20,7 +20,8 @@ from casper.engine.verification.matching import ParameterMatcher
 from casper.engine.verification.observation import Observation
 from casper.plans.trees.plan import Plan
 
-PHATT_EPISODES = 10  # of a kitchen: it takes long, and gives up most of them
+PHATT_EPISODES = 10  # of a kitchen, and of changes of mind: it takes long, and gives up most of them
+PHATT_OBSERVATIONS = 60  # of a day
 
 
 @dataclass
@@ -59,10 +60,10 @@ def observe(day: Day, seen: Observation | str, score: Score) -> None:
 
 
 def kitchen(
-    dishes: int, episodes: int, needless: float = 0.0, unseen: float = 0.0, rivals: bool = True
+    dishes: int, episodes: int, needless: float = 0.0, unseen: float = 0.0, rivals: bool = True, seed: int = 0
 ) -> tuple[Score, dict[str, Score]]:
     """Sets of two to five dishes: ours, and the rivals' scores by name."""
-    plans, chance = kitchens.library(dishes).ways, random.Random(1)
+    plans, chance = kitchens.library(dishes, seed).ways, random.Random(seed + 1)
     matcher, start = ParameterMatcher(plans), fresh(plans)
     ours, theirs = Score(), {"Bayesian filter, told how many": Score(), "PHATT-style, told how many": Score()}
     for number in range(episodes):
@@ -85,29 +86,41 @@ def kitchen(
     return ours, theirs
 
 
-def changes(episodes: int) -> tuple[Score, Score, Score, Score]:
-    """Cooks who change: the new goal leads in time, ours and the filter's. Who do not: no change announced, likewise"""
-    rows, chance = recipes.recipes(), random.Random(2)
+@dataclass
+class Changes:
+    """Of cooks who change: how often the new goal leads in time; of those who do not: that no change is announced."""
+
+    found: Score = field(default_factory=Score)
+    quiet: Score = field(default_factory=Score)
+
+
+def changes(episodes: int, seed: int = 0) -> tuple[Changes, dict[str, Changes]]:
+    """Cooks who change their mind, and as many who do not: ours, and the rivals' scores by name."""
+    rows, chance = recipes.recipes(seed), random.Random(seed + 2)
     plans = recipes.library(rows).ways
     start, matcher = fresh(plans), ParameterMatcher(plans)
-    found, filtered, quiet, filtered_quiet = Score(), Score(), Score(), Score()
-    while found.of < episodes:
+    ours, filtered, listed = Changes(), Changes(), Changes()
+
+    def leading(cook: recipes.Cook, score: Score, number: int) -> Iterator[tuple[Changes, Sequence[str | None]]]:
+        yield ours, _leading(start.fork(), cook.actions, score)
+        yield filtered, _leading(BayesianFilter(plans, matcher), cook.actions, None)
+        if number < PHATT_EPISODES:
+            yield listed, _leading(Listed(plans, matcher), cook.actions, None)
+
+    while ours.found.of < episodes:
         cook = recipes.cook(rows, True, chance)
-        if cook.telling is None:
-            continue
-        leading = _leading(start.fork(), cook.actions, found)
-        by_filter = _leading(BayesianFilter(plans, matcher), cook.actions, None)
-        in_time = slice(cook.telling, cook.telling + 3)
-        found.note(cook.goals[-1] in leading[in_time])
-        filtered.note(cook.goals[-1] in by_filter[in_time])
-    for _ in range(episodes):
-        cook = recipes.cook(rows, False, chance)
-        quiet.note(not _announces(_leading(start.fork(), cook.actions, quiet)))
-        filtered_quiet.note(not _announces(_leading(BayesianFilter(plans, matcher), cook.actions, None)))
-    return found, filtered, quiet, filtered_quiet
+        if cook.telling is not None:
+            for whose, led in leading(cook, ours.found, ours.found.of):
+                whose.found.note(cook.goals[-1] in led[cook.telling : cook.telling + 3])
+    for number in range(episodes):
+        for whose, led in leading(recipes.cook(rows, False, chance), ours.quiet, number):
+            whose.quiet.note(not _announces(led))
+    return ours, {"Bayesian filter": filtered, "PHATT-style, two goals": listed}
 
 
-def _leading(recogniser: Day | BayesianFilter, actions: Sequence[str], score: Score | None) -> list[str | None]:
+def _leading(
+    recogniser: Day | BayesianFilter | Listed, actions: Sequence[str], score: Score | None
+) -> list[str | None]:
     leading = []
     for action in actions:
         if isinstance(recogniser, Day):
@@ -129,16 +142,29 @@ class DayScore(Score):
     """Of a day also: episodes that were told and are no goal's, and objects kept at every quarter of the day."""
 
     invented: int = 0
+    led: dict[str, Score] = field(default_factory=dict)  # by recogniser: whether a goal leads at its last action
+    gave_up: int = 0  # the observation at which the plain recogniser gave up
     kept: list[int] = field(default_factory=list)
 
 
-def whole_day(goals: int, dishes: int = 20, seed: int = 3) -> DayScore:
+def whole_day(goals: int, dishes: int = 20, seed: int = 0) -> DayScore:
     """A day of so many goals; one is right when an episode of its name has most of its observations."""
-    plans, chance, score = kitchens.library(dishes).ways, random.Random(seed), DayScore()
+    plans, chance, score = kitchens.library(dishes, seed).ways, random.Random(seed + 3), DayScore()
     done = list(whole_days.day(plans, goals, chance))
     day, told = fresh(plans), []
+    last = {action.number: at for at, action in enumerate(done)}
+    matcher = ParameterMatcher(plans)
+    bayes, listed = BayesianFilter(plans, matcher), Listed(plans, matcher)
+    score.led = {"this one": Score(), "Bayesian filter": Score(), "PHATT-style, two goals": Score()}
     for at, action in enumerate(done):
         observe(day, action.observation, score)
+        bayes.observe(action.observation)
+        if at < PHATT_OBSERVATIONS:
+            listed.observe(action.observation)
+        if action.number is not None and last[action.number] == at:
+            for recogniser, led in zip((day, bayes, listed), score.led.values()):
+                if recogniser is not listed or at < PHATT_OBSERVATIONS:
+                    led.note(recogniser.leading == action.goal)
         told += day.closed()
         if (at + 1) % (len(done) // 4) == 0:
             score.kept.append(objects_of(day))
@@ -151,6 +177,7 @@ def whole_day(goals: int, dishes: int = 20, seed: int = 3) -> DayScore:
         most = [e for e in told if e.goal == label and 2 * len(own.intersection(e.observations)) > len(own)]
         used.update(id(episode) for episode in most[:1])
         score.note(bool(most))
+    score.gave_up = listed.gave_up
     score.invented = sum(id(episode) not in used for episode in told)
     return score
 

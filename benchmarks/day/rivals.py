@@ -16,6 +16,8 @@ if RECOGNITION not in sys.path:
 
 from baseline import Baseline, TooMany  # noqa: E402
 
+BUDGET = 20_000  # explanations that the plain recogniser may list
+
 
 class BayesianFilter:
     """A belief over single goals, updated by each action: P(goal | actions) ~ P(goal) * product of P(action | goal).
@@ -62,11 +64,43 @@ class BayesianFilter:
         return self.plans[first[0]].label if len(first) == 1 else None
 
 
+class Listed:
+    """The plain recogniser as one that says what leads: the goal that was begun last, by the explanations' scores.
+
+    ``gave_up`` is the number of the observation, from 1, that led to too many explanations; from then on nothing leads.
+    """
+
+    def __init__(self, plans: Sequence[Plan], matcher: Matcher, together: int = 2, noise: float = 0.1) -> None:
+        self._recogniser = Baseline(plans, matcher, together, noise, budget=BUDGET)
+        self._plans, self.gave_up, self._count = plans, 0, 0
+
+    def observe(self, seen: Observation) -> None:
+        """List every explanation."""
+        self._count += 1
+        if not self.gave_up:
+            try:
+                self._recogniser.observe(seen)
+            except TooMany:
+                self.gave_up = self._count
+
+    @property
+    def leading(self) -> str | None:
+        """The likeliest goal; None where several are, or it gave up."""
+        shares: dict[str, float] = {}
+        for explained in () if self.gave_up else self._recogniser.explanations:
+            if explained.parts:
+                label = self._plans[explained.parts[-1].plan].label
+                shares[label] = shares.get(label, 0.0) + self._recogniser.score(explained)
+        best = max(shares.values(), default=0.0)
+        first = [label for label, share in shares.items() if share >= best * (1 - 1e-9)]
+        return first[0] if len(first) == 1 else None
+
+
 def phatt_goals(
     plans: Sequence[Plan], matcher: Matcher, seen: Sequence[Observation], together: int, noise: float | None
 ) -> tuple[str, ...] | None:
     """The goals of the best explanation of the plain recogniser, sorted; None where it has none, or too many."""
-    recogniser = Baseline(plans, matcher, together, noise, budget=20_000)
+    recogniser = Baseline(plans, matcher, together, noise, budget=BUDGET)
     try:
         for observation in seen:
             recogniser.observe(observation)

@@ -15,7 +15,7 @@ from casper.plans.library import PlanLibrary
 BREAKFAST = ["pick_and_place(biscuits, plate)", "eat(biscuits, plate)", "pick_and_place(plate, sink)", "wash(plate, sink)"]
 DRINK = ["pick_and_place(bottle, glass)", "sip(bottle, glass)", "pick_and_place(glass, sink)", "wash(glass, sink)"]
 LUNCH = ["pick_and_place(meal, hobs)", "cook(meal, hobs)", "pick_and_place(meal, plate)", "eat(meal, plate)", *BREAKFAST[2:]]
-EVERYTHING = Bounds(keep=10**6, floor=0.0, entries=10**6, least=0.0)
+EVERYTHING = Bounds(keep=10**6, floor=0.0, entries=10**6, least=0.0, tries=10**9)
 
 
 def lived(*observed, agent=None, **options):

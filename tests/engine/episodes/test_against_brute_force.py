@@ -16,7 +16,7 @@ from casper.engine.reading.reading import nobody_can
 from casper.engine.verification.matching import ParameterMatcher
 from casper.plans.library import PlanLibrary
 
-EVERYTHING = Bounds(keep=10**6, floor=0.0, entries=10**6, least=0.0)
+EVERYTHING = Bounds(keep=10**6, floor=0.0, entries=10**6, least=0.0, tries=10**9)
 LEAF = st.sampled_from(["a", "b", "c", "d(X)", "d(cup)", "e(X)"])
 ROW = st.lists(LEAF, min_size=1, max_size=3)
 BODY = st.one_of(

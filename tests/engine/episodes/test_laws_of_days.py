@@ -3,20 +3,40 @@
 import gc
 import pickle
 import random
+from dataclasses import replace
 
 import pytest
 from days import BREAKFAST, DRINK, EVERYTHING, LUNCH, day_of, lived, observing, row
 from hypothesis import given
 from hypothesis import strategies as st
 
+from casper.engine.episodes.day import Day
 from casper.engine.episodes.enumerated import Enumerated
 from casper.engine.episodes.hypotheses.growth import Bounds
 from casper.engine.episodes.past import MOST, RECENT, with_statement
+from casper.engine.reading.reading import nobody_can
+from casper.engine.verification.matching import ParameterMatcher
+from casper.engine.verification.vocabulary import Vocabulary
 from casper.kb.errors import CasperError
 from casper.kb.terms.terms import Compound
+from casper.plans.library import PlanLibrary
 
 GOALS = ["g --> a, b(X), c(X).", "h --> unordered(a, b(X)), d.", "i --> b(cup), (c(cup) ; d)."]
 ACTIONS = st.lists(st.sampled_from(["a", "b(cup)", "b(pot)", "c(cup)", "c(pot)", "d", "unheard"]), max_size=7)
+
+
+class Matching(ParameterMatcher):
+    """One of which a day does not know that comparing arguments is all it does."""
+
+
+class Counted(Enumerated):
+    """It counts the states of goals under way that it is asked of."""
+
+    tried = 0
+
+    def steps(self, state, seen, agent):
+        self.tried += state.plan is not None
+        return super().steps(state, seen, agent)
 
 
 def text(order):
@@ -62,6 +82,46 @@ def test_what_is_dropped_is_said(actions, keep):
         assert day.posterior == pytest.approx(whole.posterior)
     else:
         assert 0 < day.left_out <= 1
+
+
+@given(ACTIONS, st.integers(1, 8))
+def test_the_work_of_an_observation_is_bounded(actions, tries):
+    plans = PlanLibrary.from_text(text([0, 1, 2])).ways
+    growing = Counted(plans, ParameterMatcher(plans), nobody_can)
+    day = Day(growing, bounds=Bounds(tries=tries))
+    for action in actions:
+        last = max(sum(len(body.entries) for body in h.key) for h in day._levels[-1].hypotheses)
+        growing.tried = 0
+        day.observe(action)
+        assert growing.tried <= tries + last
+
+
+@given(ACTIONS, st.integers(1, 8))
+def test_what_no_tries_are_left_for_is_said(actions, tries):
+    day = observing(day_of(text([0, 1, 2]), replace(EVERYTHING, tries=tries)), *actions)
+    whole = observing(day_of(text([0, 1, 2]), EVERYTHING), *actions)
+    if day.is_exact:
+        assert day.posterior == pytest.approx(whole.posterior) and day.states == whole.states
+    else:
+        assert 0 < day.left_out <= 1
+    assert sum(account.share for account in day.best(10**6)) == pytest.approx(1)
+
+
+def test_the_lightest_hypotheses_are_dropped_when_no_tries_are_left():
+    actions = ["a", "b(cup)", "b(pot)", "c(cup)", "d", "a", "b(cup)"]
+    assert not observing(day_of(text([0, 1, 2]), replace(EVERYTHING, tries=1)), *actions).is_exact
+
+
+@given(ACTIONS)
+def test_comparing_arguments_is_matching_them(actions):
+    plans = PlanLibrary.from_text(text([0, 1, 2])).ways
+    fast, slow = (Enumerated(plans, kind(plans), nobody_can) for kind in (ParameterMatcher, Matching))
+    states = [fast.begin(goal) for goal in range(len(fast.goals))]
+    for action in actions:
+        seen = Vocabulary(fast.leaves()).read(action)
+        after = [list(fast.steps(state, seen, None)) for state in states]
+        assert after == [list(slow.steps(state, seen, None)) for state in states]
+        states = list(dict.fromkeys([*states, *(step.state for steps in after for step in steps)]))
 
 
 def test_nothing_more_can_be_taken_back_than_is_remembered():
