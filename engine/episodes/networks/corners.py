@@ -7,7 +7,9 @@ taken further upwards: B is what some method of a task C begins with, the rest o
 link from A to C; where A is B, nothing is left of it. (Left-corner parsing: Rosenkrantz and Lewis 1970; the tables are
 by name and arity.)
 
-Tasks that can begin with one another are a *circle*. Links are made within circles only.
+Tasks that can begin with one another are a *circle*. Links are made within circles only. What a link leaves to be done
+comes one after the other: where a task of a circle is begun beside others, without an order, what these take before it
+is over is not found (`interleaves`; whoever grows them says that they were cut).
 """
 
 from __future__ import annotations
@@ -134,6 +136,17 @@ class Corners:
                         yield (*earlier, *passed), begun, left_of(item[1], item[2], at, rest)
         elif kind is not ACT and kind is not COND:
             yield from self._in_row(item[1], circle)
+
+    def interleaves(self, circle: int) -> bool:
+        """Whether tasks of the circle are begun in a group beside items that need not wait for them."""
+        return any(
+            any(item[0] is PAR and self._begins_beside(item, circle) for item in method.body)
+            for task in self.members[circle]
+            for method in self.methods.of(as_call(task))
+        )
+
+    def _begins_beside(self, group: Any, circle: int) -> bool:
+        return len(group[1]) > 1 and next(self._in_item(group, circle), None) is not None
 
     # --- tables of links -------------------------------------------------------------------------------------------
 

@@ -286,6 +286,7 @@ class Growth:
         """As `_grow`, of a task that can begin with itself: what was seen is of some task of its circle."""
         own = slots_of(term, {})
         self.fresh = len(own)
+        self.was_cut = self.was_cut or self.methods.corners.interleaves(circle)
         moment = self.asking.now if self.asking.looks_back else 0
         for task in self.methods.corners.members[circle]:
             for method in self.methods.of((task[0], *[None] * task[1])):

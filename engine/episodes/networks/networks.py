@@ -148,7 +148,6 @@ class Networks:
     ) -> Iterable[Step[State]]:
         growth = self._growth(option, agent, noted)
         growth.fresh = state.slots
-        growth.was_cut = False
         doing = [(Compound((option.action, agent or "", *(option.args or ()))), 0.0)]
         for taken in growth.row(state.rest, {}, self.most_missed, FREE):
             due = (*state.open, *taken.due, *self._tail(taken.rest, taken.env))

@@ -144,7 +144,7 @@ def circles(draw: st.DrawFn) -> str:
             parts = [f"{draw(st.sampled_from(ACTIONS))}({draw(st.sampled_from(ARGUMENTS))})"]
             parts += [f"{draw(st.sampled_from(TASKS))}({draw(st.sampled_from(ARGUMENTS))})" for _ in range(draw(st.integers(0, 2)))]
             parts = draw(st.permutations(parts))
-            shape = draw(st.sampled_from(["{}", "{}", "unordered({})", "optional({}), b(P)"]))
+            shape = draw(st.sampled_from(["{}", "{}", "optional({}), b(P)", "({} ; b(Q)), c(P)"]))
             found.append(f"{task}({draw(st.sampled_from(['P', 'Q', 'pot']))}) --> {shape.format(', '.join(parts))}")
     found.append("u(P) --> b(P)")
     return ". ".join(found) + "."
@@ -165,6 +165,12 @@ def test_they_are_finished_where_the_unrolled_ones_are(text, seen):
     going = networks(text, most_missed=0)
     over = {goal for goal, missed in listed(library, seen, ParameterMatcher, only_done=True).items() if missed == 0}
     assert any(map(going.is_done, states_after(going, list(seen)))) == bool(over)
+
+
+def test_circles_through_groups_without_an_order_are_said_to_be_cut():
+    text = "goal(g). g --> t, c. t --> unordered(a, t). t --> a, b."
+    going = networks(text, most_missed=0)
+    assert states_after(going, ["a"]) and going.was_cut
 
 
 def test_nothing_of_it_depends_on_how_deep_the_task_is():
