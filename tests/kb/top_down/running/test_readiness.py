@@ -4,7 +4,8 @@ from itertools import permutations
 
 import pytest
 
-from casper.kb.errors import ProgramError
+from casper.kb.base import KnowledgeBase
+from casper.kb.errors import ProgramError, Undefined
 from casper.kb.text.reader import read_query, read_text
 from casper.kb.top_down.search import Search
 
@@ -16,7 +17,7 @@ for clause in read_text("n(1). n(2). n(3). q(2). q(3). r(1, 2). r(2, 3).", "<tes
 GOALS = {
     "q(X)": [2, 3], "\\+ q(X)": [1], "not(q(X))": [1], "X > 1": [2, 3], "X = 2": [2], "X =\\= 2": [1, 3], "true": [1, 2, 3],
     "fail": [], "(q(X), X > 2)": [3], "(q(X) ; X = 1)": [1, 2, 3], "Z is X + 1": [1, 2, 3], "length([X], Z)": [1, 2, 3],
-    "between(2, 3, X)": [2, 3], "between(1, X, 2)": [2, 3], "call(q, X)": [2, 3], "7": [], "1.5": [], "X": [],
+    "between(2, 3, X)": [2, 3], "between(1, X, 2)": [2, 3], "call(q, X)": [2, 3],
     "call(\\+ q(X))": [1], "not(X > 1)": [1], "\\+ X > 1": [1], "maplist(q, [X])": [2, 3], "call(r, X, Z)": [1, 2],
     "call(=, X, 2)": [2], "call(>, X, 1)": [2, 3], "call(call, X > 1)": [2, 3], "call(\\=, X, 1)": [2, 3],
     "call(\\+, q(X))": [1], "X == 1": [1], "X \\== 1": [2, 3],
@@ -51,9 +52,22 @@ def test_while_something_waits_a_goal_is_not_called_before_what_it_is_about_is_k
     assert values(query.format(f"({goal})")) == GOALS[goal]
 
 
+@pytest.mark.parametrize("goal", ["7", "1.5", "X"])
+@pytest.mark.parametrize("query", ["n(X), G = {}, call(G)", "call(G), n(X), G = {}", "G = {}, X > 0, call(G), n(X)"])
+def test_a_number_as_a_goal_is_undefined_wherever_it_stands(query, goal):
+    with pytest.raises(Undefined, match="call/1 needs a goal, not"):
+        values(query.format(f"({goal})"))
+
+
+@pytest.mark.parametrize("conditions", list(permutations(["not(q(X))", "n(X)", "X < 9"])))
+def test_not_waits_as_its_sign_does(conditions):
+    base = KnowledgeBase.from_text("n(1). n(2). n(3). q(2). q(3).")
+    assert list(base.query(", ".join(conditions))) == [{"X": 1}]
+
+
 CONDITIONS = {
-    "\\+ q(X)": [1], "not(q(X))": [1], "X > 1": [2, 3], "X =\\= Z, Z = 3": [1, 2], "Z is X * 2, Z > 3": [2, 3],
-    "X \\= Z, Z = 1": [2, 3], "\\+ r(X, Z), Z = 2": [2, 3], "\\+ r(X, _)": [3], "not(r(X, 2))": [2, 3], "call(q, X)": [2, 3],
+    "\\+ q(X)": [1], "X > 1": [2, 3], "X =\\= Z, Z = 3": [1, 2], "Z is X * 2, Z > 3": [2, 3],
+    "X \\= Z, Z = 1": [2, 3], "\\+ r(X, Z), Z = 2": [2, 3], "\\+ r(X, _)": [3], "call(q, X)": [2, 3],
     "\\+ X = 1": [2, 3], "true": [1, 2, 3], "atom_length(Z, X), Z = ab": [2], "\\+ \\+ q(X)": [2, 3],
 }  # fmt: skip
 
