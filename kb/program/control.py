@@ -43,7 +43,7 @@ def plain_query(body: Sequence[Literal], prefix: str) -> tuple[list[tuple[Litera
     """The alternatives of a query without control in them, and the auxiliary clauses they need."""
     if not any(map(is_control, body)):
         return [tuple(body)], []
-    plain = _Plain(prefix)
+    plain = _Plain(prefix, is_question=True)
     asked = Clause(Compound(("asked", *dict.fromkeys(v for x in body for v in x.variables()))), tuple(body))
     found = list(plain.clause(asked, frozenset()))
     return [clause.body for clause in found], list(plain.taken())
@@ -62,6 +62,7 @@ class _Plain:
     prefix: str
     made: list[Clause] = field(default_factory=list)
     count: int = 0
+    is_question: bool = False  # then what is counted is tabled once, not looked up row by row on its budget
 
     def taken(self) -> list[Clause]:
         """The auxiliary clauses since the last time, themselves plain."""
@@ -113,7 +114,7 @@ class _Plain:
         inner = predication(goal)
         open_ = before | set(variables_of(what)) | _answered(_alternatives(inner, False, leaf.place))
         arguments = [v for v in variables_of(inner, what) if v in open_]
-        if _is_plain(inner) and [arg for arg in inner.args if not is_ground(arg)] == arguments:
+        if not self.is_question and _is_plain(inner) and [arg for arg in inner.args if not is_ground(arg)] == arguments:
             atom = inner  # different variables and constants: its rows are those of the auxiliary predicate
         else:
             atom = self._auxiliary(inner, arguments, set(variables_of(what)) | before, leaf.place, around)

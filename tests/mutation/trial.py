@@ -18,7 +18,7 @@ from mutations import Mutant
 Tests: TypeAlias = tuple[str, ...]  # arguments of pytest
 
 _LEFT_OUT = shutil.ignore_patterns(".*", "__pycache__", "*.egg-info", "dist", "build")
-_OPTIONS = ("-x", "-q", "-p", "no:cacheprovider")
+_OPTIONS = ("-x", "-q", "-p", "no:cacheprovider", "-p", "no:casper")
 _NO_TESTS = 5  # pytest's exit code
 _MEMORY = 6 << 30  # bytes that a run may map: a mutant must not eat the machine
 _RUN = (
@@ -70,7 +70,8 @@ class Trial:
 
     def failure(self, tests: Tests, seconds: float | None, **more: str) -> str | None:
         """The first test that fails, "" when time ran out, None when all pass."""
-        environment = os.environ | {"HYPOTHESIS_PROFILE": "derandomised", "PYTHONPATH": str(self.copy / "src")} | more
+        chosen = {"HYPOTHESIS_PROFILE": "derandomised", "HYPOTHESIS_NO_PLUGINS": "1"}
+        environment = os.environ | chosen | {"PYTHONPATH": str(self.copy / "src")} | more
         run = subprocess.Popen(
             [sys.executable, "-c", _RUN, *_OPTIONS, *tests],
             cwd=self.copy,

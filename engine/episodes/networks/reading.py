@@ -6,6 +6,7 @@ What it cannot say it refuses: several goals at once (a day reads those), and qu
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 from typing import Any
 
 from casper.engine.collaboration.collaboration import Capability, CollaborativePlan, collaborative_plan
@@ -16,7 +17,9 @@ from casper.engine.reading.policy import Policy
 from casper.engine.reading.questions import Question
 from casper.engine.reading.reading import Reading
 from casper.engine.recognition.options import Options
+from casper.engine.verification.matching import Agents
 from casper.engine.verification.observation import Seen
+from casper.engine.verification.vocabulary import Vocabulary
 from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
@@ -56,6 +59,16 @@ class GrownReading(Reading):
         self._read = {}
         self._numbers = {label: [number] for number, label in enumerate(networks.goals)}
         self._rejected = []
+
+    @cached_property
+    def _vocabulary(self) -> Vocabulary:
+        """The plans' actions; they are not listed, so the grammar has them."""
+        return Vocabulary(self._fresh.leaves())
+
+    @property
+    def agents(self) -> Agents:
+        """Who is watched, and who helps."""
+        return Agents(self._fresh.partner, self._fresh.robot)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """By what it was made of and what was observed, which is observed again where it arrives."""

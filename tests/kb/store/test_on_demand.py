@@ -175,7 +175,7 @@ def test_a_large_base_that_keeps_minima_is_listed():
 
 def program_of(text):
     base = KnowledgeBase.from_text(text)
-    return analyse(base.clauses, base._dynamic)
+    return analyse(base.clauses, base._stated.dynamic)
 
 
 class Asked(Relation):

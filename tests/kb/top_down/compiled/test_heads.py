@@ -6,9 +6,10 @@ from hypothesis import strategies as st
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.terms import Compound, Variable, make_list
 from casper.kb.terms.unification import substitute, unify
-from casper.kb.top_down.compiled import cells
 from casper.kb.top_down.compiled.cells import UNBOUND, Trail, freeze, inward, undo, variant
 from casper.kb.top_down.compiled.code import CompiledClause
+from casper.kb.top_down.compiled.unifying import occurs
+from casper.kb.top_down.compiled.unifying import unify as unify_cells
 
 OLD, TOP = 3, 7  # stamps: of a cell older than the newest choice, and of that choice
 
@@ -67,7 +68,7 @@ def test_a_binding_is_noted_where_the_cell_is_older_than_the_choice_alone():
     for stamp, noted in ((TOP - 1, 1), (TOP, 0)):
         for other in ("a", Compound(("f", "a", "b")), [UNBOUND, TOP]):
             trail = Trail()
-            assert cells.unify([UNBOUND, stamp], other, trail, TOP) and len(trail) == noted
+            assert unify_cells([UNBOUND, stamp], other, trail, TOP) and len(trail) == noted
 
 
 def test_looking_for_a_cell_in_a_large_term_is_charged_for_by_its_size():
@@ -75,5 +76,5 @@ def test_looking_for_a_cell_in_a_large_term_is_charged_for_by_its_size():
     term = ("f", "a", other)
     for _ in range(639):
         term = ("f", "a", term)
-    assert not cells.occurs(cell, term, trail) and trail.toil == 10
-    assert cells.occurs(other, term, trail)
+    assert not occurs(cell, term, trail) and trail.toil == 10
+    assert occurs(other, term, trail)
