@@ -36,15 +36,17 @@ class Scope:
 
     def conditions(self, terms: Sequence[Term], free: Sequence[Any] = ()) -> list[Any]:
         """Conditions that hold together; variables that the body brings in exist, but for those that are ``free``."""
-        found: list[Any] = []
-        for term in terms:
-            found += self._condition(term)
-        return self._closed(found, [variable for variable in self.bound if variable not in free])
+        terms = [part for term in terms for part in _parts(term, ",")]
+        found: list[list[Any]] = [[] for _ in terms]
+        for at in sorted(range(len(terms)), key=lambda at: _waits(terms[at])):  # a name means what binds it, wherever
+            found[at] = self._condition(terms[at])
+        together = [condition for conditions in found for condition in conditions]
+        return self._closed(together, [variable for variable in self.bound if variable not in free])
 
     def condition(self, term: Term) -> Any:
         """One condition, which may be made of others."""
         inner = self.within()
-        return self.target.manager.And(inner.conditions(_parts(term, ",")))
+        return self.target.manager.And(inner.conditions([term]))
 
     def fluent(self, term: Term) -> Any:
         """A fluent with its arguments.
@@ -109,7 +111,8 @@ class Scope:
     def _valued(self, fluent: Term, value: Term) -> list[Any]:
         expression = self.fluent(fluent)
         if isinstance(value, Variable) and value not in self.known:
-            self.known[value] = expression
+            if not value.is_anonymous:  # a fluent of a problem always has a value
+                self.known[value] = expression
             return []
         return [self.target.manager.Equals(expression, self.value(value))]
 
@@ -117,18 +120,15 @@ class Scope:
         return [self.target.manager.Not(self.condition(said[1]))]
 
     def _either(self, said: Compound) -> list[Any]:
-        return [self.target.manager.Or([self.condition(each) for each in said.args])]
+        return [self.target.manager.Or([self.condition(each) for each in _parts(said, ";")])]
 
     def _every(self, said: Compound) -> list[Any]:
         inner = self.within()
         for each in _parts(said[1], ","):
             if inner._condition(each):
                 self._refuse(f"{shown(said)}: forall takes types, and then what holds")
-        rows = [self.target.manager.And(inner._row(each)) for each in _parts(said[2], ";")]
+        rows = [inner.condition(each) for each in _parts(said[2], ";")]
         return [self.target.manager.Forall(self.target.manager.Or(rows), *inner.bound)]
-
-    def _row(self, term: Term) -> list[Any]:
-        return self.within().conditions(_parts(term, ","))
 
     def _compared(self, said: Compound) -> list[Any]:
         manager = self.target.manager
@@ -181,18 +181,27 @@ class Scope:
 
 
 def _parts(term: Term, joint: str) -> list[Term]:
-    return list(term.args) if isinstance(term, Compound) and term.functor == joint and term.arity > 1 else [term]
+    """What stands between the commas or semicolons of a term, however they are nested."""
+    if not (isinstance(term, Compound) and term.functor == joint and term.arity > 1):
+        return [term]
+    return [part for each in term.args for part in _parts(each, joint)]
 
 
+def _waits(term: Term) -> bool:
+    """Whether a condition binds nothing: what it is about is said elsewhere, maybe behind it."""
+    return isinstance(term, Compound) and term.functor in _BINDS_NOTHING
+
+
+_COMPARISONS = ("=", "\\=", "=:=", "=\\=", "<", "=<", ">", ">=")
+_BINDS_NOTHING = frozenset({";", "\\+", "forall", *_COMPARISONS})
 _CASES: dict[str, _Case] = {
     "true": lambda scope, said: [],
     "moment": lambda scope, said: [],  # any
     "fail": lambda scope, said: [scope.target.manager.FALSE()],
-    ",": lambda scope, said: [part for each in said.args for part in scope._condition(each)],
     ";": Scope._either,
     "\\+": Scope._not,
     "forall": Scope._every,
     "holds": Scope._holds,
     "value": Scope._asked,
-    **dict.fromkeys(("=", "\\=", "=:=", "=\\=", "<", "=<", ">", ">="), Scope._compared),
+    **dict.fromkeys(_COMPARISONS, Scope._compared),
 }

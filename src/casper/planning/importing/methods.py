@@ -117,8 +117,8 @@ def _production(
 ) -> str:
     items: list[Term] = [asked(Compound(("method", _term(name, wording.arguments))))]
     for constraint in network.non_temporal_constraints():
-        rows = [conjunction(wording.row(row)) for row in rows_of(constraint)]
-        items.append(asked(Compound((";", *rows)) if len(rows) > 1 else rows[0] if rows else "fail"))
+        rows = rows_of(constraint)
+        items.append(asked(conjunction(wording.row(rows[0])) if len(rows) == 1 else wording.alternatives(rows)))
     return produced(head, [*items, *_steps(vocabulary, wording, network), *more])
 
 

@@ -69,6 +69,10 @@ class Fresh:
         other._taken = set(self._taken)
         return other
 
+    def take(self, other: Fresh) -> None:
+        """What the other gave away is given away here, too."""
+        self._taken |= other._taken
+
     def name(self, wanted: str) -> str:
         """The wanted name, or with the first number behind it that is free."""
         found, number = wanted, 2

@@ -54,6 +54,22 @@ class Wording:
             said += self._test(test)
         return said
 
+    def alternatives(self, rows: Sequence[Row]) -> Term:
+        """Rows of which one holds, as one condition.
+
+        What one of them asks is known in it alone. No two stand together, so they share names; what follows does not,
+        for a name that stands within and without would be one thing.
+        """
+        values, fresh, met = dict(self._values), self._fresh, self._fresh.copy()
+        found: list[Term] = []
+        for row in rows:
+            self._values, self._fresh = dict(values), fresh.copy()
+            said = conjunction(self.row(row))
+            found += [said] if said not in found else []
+            met.take(self._fresh)
+        self._values, self._fresh = values, met
+        return _chained(";", found) if found else "fail"
+
     def bound(self, variables: Sequence[Any]) -> list[Term]:
         """New variables with their types."""
         for variable in variables:
@@ -84,15 +100,7 @@ class Wording:
 
     def _every(self, test: Every) -> Term:
         types = self.bound(test.variables)
-        values, fresh = dict(self._values), self._fresh
-        rows: list[Term] = []
-        for row in test.alternatives:  # what was asked within holds within
-            self._values, self._fresh = dict(values), fresh.copy()
-            said = conjunction(self.row(row))
-            rows += [said] if said not in rows else []
-        self._values, self._fresh = values, fresh
-        inner = Compound((";", *rows)) if len(rows) > 1 else rows[0] if rows else "fail"
-        return Compound(("forall", conjunction(types), inner))
+        return Compound(("forall", conjunction(types), self.alternatives(test.alternatives)))
 
     def _said(self, expression: FNode, positive: bool) -> Term:
         if expression.is_fluent_exp():
@@ -157,7 +165,12 @@ def thing(name: str, arguments: Sequence[Term]) -> Term:
 
 def conjunction(terms: Sequence[Term]) -> Term:
     """Conditions as one."""
-    return Compound((",", *terms)) if len(terms) > 1 else terms[0] if terms else "true"
+    return _chained(",", terms) if terms else "true"
+
+
+def _chained(joint: str, terms: Sequence[Term]) -> Term:
+    """Terms as the language has them between commas or semicolons: two by two, from the right."""
+    return reduce(lambda rest, term: Compound((joint, term, rest)), reversed(terms))
 
 
 def asked_now(body: Sequence[Term]) -> list[Term]:
