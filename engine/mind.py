@@ -26,7 +26,7 @@ from casper.engine.perception.world import WorldState
 from casper.engine.reading.course import Course
 from casper.engine.reading.reading import Reading
 from casper.engine.reading.segments import Segments
-from casper.engine.verification.history import History, history_settings
+from casper.engine.verification.history import Done, History, history_settings
 from casper.engine.verification.observation import Observation
 from casper.engine.verification.verification import Statement, Verifier
 from casper.kb.reasons.validity import Verdict
@@ -83,7 +83,7 @@ class Mind:
         self.contexts = context_table(rows)
         self.history = history if history is not None else History(history_settings(rows).remembered)
         self.verifier = Verifier(domain.kb, self.history) if verification and domain.verifies else None
-        self._earlier: Sequence[Compound] = ()  # what was done before the last action, as far as rules look back
+        self._earlier: Sequence[Done] = ()  # what was done before the last action, as far as rules look back
         self._fresh = partial(domain.reading, **choices, partner=self.partner)
         self.course = Course(self.partner, domain.robot if helps else None, self._begun, segments, stops=stops)
         self._known_actions = {name for name, _ in domain.library.actions}
@@ -96,7 +96,7 @@ class Mind:
 
     def reading_after(self, t: float) -> Reading:
         """A reading in which nothing was observed, after what was done before that time."""
-        return self._fresh(earlier=[statement for statement, seconds in self.history if seconds < t])
+        return self._fresh(earlier=[done for done in self.history if done[1] < t])
 
     @property
     def reading(self) -> Reading:
@@ -191,10 +191,10 @@ class Mind:
             if not verdict.valid:
                 self._refused = str(statement)
                 return
-            self._earlier = tuple(statement for statement, _ in self.verifier.looked_at)
+            self._earlier = tuple(self.verifier.looked_at)
             observation = self.verifier.accept(verdict, prediction.t)
         else:
-            observation = Observation(action)
+            observation = Observation(action, t=prediction.t)
         self._refused = None
         self.actions.accept()
         yield from self._read(observation, prediction.t)

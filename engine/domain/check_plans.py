@@ -14,6 +14,7 @@ from itertools import count, islice
 from typing import TypeAlias
 
 from casper.engine.domain.domain import Domain
+from casper.engine.verification.history import in_plan_order
 from casper.engine.verification.matching import ROBOT
 from casper.kb.checks.finding import Finding, error, note, warning
 from casper.kb.errors import BudgetExceeded, CasperError, Place
@@ -192,7 +193,7 @@ def _refusals(domain: Domain, plan: Plan, values: Bindings, agent: str | None) -
     for leaf, step in enumerate(steps):
         claim, refusal = Compound((step.functor, agent or _ANYBODY, *step.args)), None
         for before in _moments(plan, leaf) if domain.kb.depends_on_history else [0]:
-            verdict = domain.kb.verify(claim, [(done[at], float(t)) for t, at in enumerate(bits(before))])
+            verdict = domain.kb.verify(claim, in_plan_order(done, before, plan.chart.before))
             if verdict.valid is not False:
                 refusal = None
                 break

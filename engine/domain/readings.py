@@ -23,6 +23,7 @@ from casper.engine.reading.priors import priors_of
 from casper.engine.reading.reading import Reading
 from casper.engine.recognition.options import Options
 from casper.engine.recognition.scoring import score_named
+from casper.engine.verification.history import Done, in_order, in_plan_order
 from casper.engine.verification.matching import Agents, Matcher, Mismatch, NameMatcher, ParameterMatcher, bindings_of
 from casper.engine.verification.verified_matching import VerifyingMatcher, settle
 from casper.kb.base import KnowledgeBase
@@ -68,7 +69,7 @@ class Readings:
         score: str = "paper",
         budget: int | None = None,
         partner: str | None = None,
-        earlier: Sequence[Compound] = (),
+        earlier: Sequence[Compound | Done] = (),
     ) -> Reading:
         """A fresh reading of a partner; with ``noise`` and ``goals`` left alone it is the paper's.
 
@@ -83,7 +84,8 @@ class Readings:
             budget: how many states are kept (None: 20,000; of two goals at once 50,000, of more 3,000). Where there
                 are more, the reading is not exact, and says so.
             partner: who is read; None: the domain's `partner`.
-            earlier: statements of what was done before, oldest first: did/2 holds of them.
+            earlier: statements of what was done before, oldest first: did/2 holds of them. A pair (statement, seconds)
+                says when; of the others only the order is known.
 
         Raises:
             CasperError: no such policy or score, a price or a number of goals that is none, or priors that do not
@@ -155,7 +157,7 @@ class Readings:
         return found[-1] if found else None
 
     def _fresh(
-        self, policy: Policy, options: Options, verification: bool, who: str, known: tuple[Compound, ...]
+        self, policy: Policy, options: Options, verification: bool, who: str, known: tuple[Compound | Done, ...]
     ) -> Reading:
         """A reading over the listed plans; where there is no end to them, over plans grown as far as is observed."""
         if self.library.is_listed:
@@ -193,7 +195,7 @@ class Readings:
         return {}
 
     def _matcher(
-        self, verification: bool, partner: str | None = None, earlier: Sequence[Compound] = ()
+        self, verification: bool, partner: str | None = None, earlier: Sequence[Compound | Done] = ()
     ) -> Matcher:
         if not verification:
             return NameMatcher(self.library.ways)
@@ -207,7 +209,7 @@ class Readings:
         leaf: int,
         agent: str,
         partner: str | None = None,
-        earlier: Sequence[Compound] = (),
+        earlier: Sequence[Compound | Done] = (),
     ) -> tuple[Compound, bool]:
         """A leaf's action with every part filled in that can be, and whether the knowledge base lets the agent do it.
 
@@ -225,8 +227,8 @@ class Readings:
         actions = [substitute(action, known) for action in plan.leaves]
         done = situation.done | plan.chart.before[leaf] & situation.belonging
         who = partner or self.partner
-        theirs = (Compound((a.functor, who, *a.args)) for at, a in enumerate(actions) if done >> at & 1)
-        history = [(statement, float(t)) for t, statement in enumerate((*earlier, *theirs))]
+        theirs = [Compound((a.functor, who, *a.args)) for a in actions]
+        history = in_plan_order(theirs, done, plan.chart.before, in_order(earlier))
         action = actions[leaf]
         verdict = self.kb.verify(Compound((action.functor, agent, *action.args)), history)
         filled = verdict.completed if verdict.valid else verdict.statement

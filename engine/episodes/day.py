@@ -80,7 +80,7 @@ class Day(Generic[S]):
 
         Args:
             observed: what was seen.
-            t: when, in seconds; None: the number of the observation.
+            t: when, in seconds; None: episodes tell the number of the observation, and rules know the order only.
             agent: who did it; None: the partner, where there is one only.
             goals: the labels of the goals it is known to serve, none at all where it is known to be needless; None:
                 nothing is known.
@@ -99,7 +99,7 @@ class Day(Generic[S]):
             after = self._advance.unknown(level, event, foreign)
         else:
             after = self._advance.observed(level, event)
-        self._growing.observed(seen, agent, event.t)
+        self._growing.observed(seen, agent, t)
         self._levels.append(after)
         self._told += [self._teller.closed(closed) for closed in after.settled]
 

@@ -15,6 +15,7 @@ from casper.engine.episodes.growing import Step, Taken
 from casper.engine.episodes.past import Past, with_statement
 from casper.engine.explanation.explanation import Explanation
 from casper.engine.explanation.situation import Situation
+from casper.engine.verification.history import in_order
 from casper.engine.verification.matching import (
     Binding,
     Matcher,
@@ -346,14 +347,15 @@ class Enumerated:
 
     # --- the past ----------------------------------------------------------------------------------------------------
 
-    def observed(self, seen: Seen, agent: str | None, t: float) -> None:
+    def observed(self, seen: Seen, agent: str | None, t: float | None) -> None:
         """Remember what was done, where it was made out in full and anything depends on it."""
         past = self._pasts[-1]
         if self._verdicts is not None and self._verdicts.looks_back:
             self._matchers.clear()
             if isinstance(seen, Observation) and seen.args is not None and all(map(is_ground, seen.args)):
                 statement = Compound((seen.action, self._verdicts.partner if agent is None else agent, *seen.args))
-                past = with_statement(past, statement, t)
+                (*_, done) = in_order([statement if t is None else (statement, t)], past)
+                past = with_statement(past, *done)
         self._pasts.append(past)
 
     def forget(self) -> None:

@@ -100,7 +100,7 @@ class Growing(Protocol[S]):
     def leaves(self) -> Sequence[Compound]:
         """The actions of the plans, each once, with variables where parameters stand: for the nearest of an unknown."""
 
-    def observed(self, seen: Seen, agent: str | None, t: float) -> None:
+    def observed(self, seen: Seen, agent: str | None, t: float | None) -> None:
         """Told once an observation is settled: what is possible later may depend on it."""
 
     def forget(self) -> None:

@@ -8,14 +8,16 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
+from casper.engine.verification.history import Done
 from casper.kb.terms.terms import Compound
+from casper.kb.terms.values.moments import Moment
 
-Past: TypeAlias = tuple[tuple[Compound, float], ...]
+Past: TypeAlias = tuple[Done, ...]
 RECENT = 200  # statements kept as they are
 MOST = 2000  # statements kept in all
 
 
-def with_statement(past: Past, statement: Compound, t: float) -> Past:
+def with_statement(past: Past, statement: Compound, t: float | Moment) -> Past:
     """The past after something was done."""
     longer = (*past, (statement, t))
     if len(longer) <= RECENT:

@@ -24,7 +24,7 @@ from casper.engine.reading.questions import Question, questions
 from casper.engine.recognition.choice import recogniser
 from casper.engine.recognition.options import PAPER, Options
 from casper.engine.verification.matching import NOBODY, Agents, Matcher, NameMatcher, Recipe
-from casper.engine.verification.observation import Observed, Seen, options_of, seen_of
+from casper.engine.verification.observation import Observed, Seen, at_time, options_of, seen_of
 from casper.engine.verification.vocabulary import Foreign, Vocabulary
 from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
@@ -76,8 +76,11 @@ class Reading:
 
     # --- observing -------------------------------------------------------------------------------------------------
 
-    def observe(self, observed: Observed) -> None:
+    def observe(self, observed: Observed, t: float | None = None) -> None:
         """Take in one action of the partner: ``"eat"`` or ``"eat(biscuits, plate)"``.
+
+        ``t`` is when it was seen (seconds), for rules that ask did/2 how long ago something was. Without it only the
+        order is known, and what such rules say is unknown, which rules nothing out.
 
         What was not made out for sure is a mapping of what it may be to likelihoods: ``{"eat": 0.7, "sip": 0.2}``.
         An observation that fits no plan leaves zero explanations; `undo` goes back to where the reading was. One that
@@ -87,7 +90,7 @@ class Reading:
             ReadError, PlanError: the text is no action, or no plan has it and needless actions have no price.
             CasperError: likelihoods that are none, or more explanations than can be weighed.
         """
-        seen = self._seen(observed)
+        seen = at_time(self._seen(observed), t)
         self._engine.observe(seen)
         if len(self._engine.observations) > WEIGHABLE and self._engine.count.bit_length() > MOST_BITS:
             self._engine.undo()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from typing import Any, TypeAlias
 
@@ -19,11 +19,13 @@ from casper.kb.text.reader import read_statement
 class Observation:
     """An action of the partner: its name, and its arguments where they are known.
 
-    ``args`` is None when only the name was seen; an argument that was not made out is a `Variable`.
+    ``args`` is None when only the name was seen; an argument that was not made out is a `Variable`. ``t`` is when it
+    was seen (seconds), where somebody looked at a clock.
     """
 
     action: str
     args: tuple[Term, ...] | None = None
+    t: float | None = field(default=None, compare=False)
     is_plain: bool = field(init=False, repr=False, compare=False)  # whether all its arguments are constants
 
     def __post_init__(self) -> None:
@@ -59,6 +61,15 @@ class Uncertain:
 
 Seen: TypeAlias = Observation | Uncertain
 Observed: TypeAlias = "str | Compound | tuple[Term, ...] | Observation | Uncertain | Mapping[Any, float]"
+
+
+def at_time(seen: Seen, t: float | None) -> Seen:
+    """What was seen, with its time (seconds); as it is where that is None."""
+    if t is None:
+        return seen
+    if isinstance(seen, Observation):
+        return replace(seen, t=t)
+    return Uncertain(tuple((replace(option, t=t), likelihood) for option, likelihood in seen.options))
 
 
 def options_of(seen: Seen) -> tuple[tuple[Observation, float], ...]:
@@ -120,5 +131,5 @@ def observation_of(
         takes = " or ".join(map(str, arities))
         raise PlanError(f"{seen.action} takes {takes} arguments here (the agent is left out), not {len(seen.args)}")
     if seen.args is None and arities == [0]:
-        return Observation(seen.action, ())
+        return Observation(seen.action, (), seen.t)
     return seen

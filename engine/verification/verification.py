@@ -58,4 +58,4 @@ class Verifier:
         """Remember a valid statement; the observation it is, with the parts the rules filled in."""
         if is_ground(verdict.completed):
             self.history.remember(verdict.completed, t)
-        return Observation(verdict.completed.functor, verdict.completed.args[1:])
+        return Observation(verdict.completed.functor, verdict.completed.args[1:], t)

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import Any, TypeAlias
 
 from casper.engine.verification.conditions import Conditions
-from casper.engine.verification.history import Done
+from casper.engine.verification.history import Done, in_order
 from casper.engine.verification.matching import (
     Agents,
     Binding,
@@ -38,8 +38,8 @@ class VerifyingMatcher(ParameterMatcher):
     """Parameters, the goal's own condition, and the validity of what the partner is taken to have done.
 
     Forks share what was asked. A knowledge base may change at any time: what it said before is forgotten then.
-    ``earlier`` is what was done before the first observation, oldest first; did/2 numbers it up to 0, and the
-    observations from 1.
+    ``earlier`` is what was done before the first observation, oldest first, with seconds where they are known. did/2
+    has the time of an observation that came with one, and of any other that it was later than all before.
     """
 
     def __init__(
@@ -48,13 +48,12 @@ class VerifyingMatcher(ParameterMatcher):
         kb: KnowledgeBase,
         partner: str,
         robot: str | None = None,
-        earlier: Sequence[Compound] = (),
+        earlier: Sequence[Compound | Done] = (),
     ) -> None:
         super().__init__(plans, Agents(partner, robot))
         self.kb, self.partner, self._earlier = kb, partner, tuple(earlier)
         self._conditions = Conditions(kb)
-        before = tuple((statement, float(1 + at - len(earlier))) for at, statement in enumerate(earlier))
-        self._histories: list[tuple[Done, ...]] = [before]  # after each observation
+        self._histories: list[tuple[Done, ...]] = [in_order(earlier)]  # after each observation
         self._forget()
 
     @property
@@ -97,13 +96,13 @@ class VerifyingMatcher(ParameterMatcher):
         self._histories.append(self._after(observation))
         self._past_changed()
 
-    def _after(self, observation: Observation) -> tuple[tuple[Compound, float], ...]:
+    def _after(self, observation: Observation) -> tuple[Done, ...]:
         """What happened so far, and this."""
         history = self._histories[-1]
         if observation.args is None or not all(is_ground(arg) for arg in observation.args):
             return history
         statement = Compound((observation.action, self.partner, *observation.args))
-        return (*history, (statement, float(len(self._histories))))
+        return in_order([statement if observation.t is None else (statement, observation.t)], history)
 
     def ask(
         self, plan: int, due: Sequence[tuple[int, bool]], observation: Observation, binding: Binding
@@ -152,7 +151,7 @@ class VerifyingMatcher(ParameterMatcher):
         """How often the knowledge base has changed."""
         return self.kb.changes
 
-    def of(self, agent: str | None, past: Sequence[tuple[Compound, float]]) -> VerifyingMatcher:
+    def of(self, agent: str | None, past: Sequence[Done]) -> VerifyingMatcher:
         """The matcher for an agent (None: the partner) after this past; what was asked of the partner is shared."""
         other = object.__new__(VerifyingMatcher)
         other.__dict__.update(self.__dict__)

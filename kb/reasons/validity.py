@@ -22,11 +22,12 @@ from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, as_term, predication
 from casper.kb.terms.unification import Bindings, is_ground, substitute
 from casper.kb.terms.unknown import DOUBT
+from casper.kb.terms.values.moments import Moment
 from casper.kb.text.lines import Line, one_line, text_of
 from casper.kb.top_down.compiled.cells import rigid
 from casper.kb.top_down.solve import Solver
 
-History: TypeAlias = Sequence[tuple[Term, float]]  # what happened earlier: (statement, seconds)
+History: TypeAlias = Sequence[tuple[Term, float | Moment]]  # what happened earlier: (statement, seconds, if known)
 _FILL_LIMIT = 1000  # instances looked at before a part is given up as open
 _CLAIM: Indicator = ("claim", 1)
 

@@ -13,14 +13,15 @@ from casper.kb.terms.clauses import Literal
 from casper.kb.terms.terms import Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
 from casper.kb.terms.values.arithmetic import compiled, evaluate, unknown_functions
+from casper.kb.terms.values.moments import are_same, differ
 
 _ORDER: dict[str, Callable[[Any, Any], bool]] = {
     "<": operator.lt,
     ">": operator.gt,
     "=<": operator.le,
     ">=": operator.ge,
-    "=:=": operator.eq,
-    "=\\=": operator.ne,
+    "=:=": are_same,
+    "=\\=": differ,
 }
 
 

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from casper.engine.episodes.networks.terms import Env, Slot, numbered, outward, resolve, slots_of, unified
 from casper.engine.verification.conditions import Conditions
+from casper.engine.verification.history import Done, in_order
 from casper.kb.base import KnowledgeBase
 from casper.kb.reasons.why_not import Refusal
 from casper.kb.terms.syntax import term_text
@@ -18,7 +19,7 @@ from casper.kb.terms.terms import Compound
 
 MOST_REMEMBERED = 100_000
 Asked: TypeAlias = "tuple[int, Any]"  # the moment when it was due (0: it makes no difference), and the relation
-Past: TypeAlias = "list[tuple[Compound, float]]"
+Past: TypeAlias = "list[Done]"
 
 
 class Failed(NamedTuple):
@@ -30,9 +31,9 @@ class Failed(NamedTuple):
 class Asking:
     """Asks a knowledge base; without one every condition holds and everybody may do everything."""
 
-    def __init__(self, kb: KnowledgeBase | None, past: list[tuple[Compound, float] | None] | None = None) -> None:
+    def __init__(self, kb: KnowledgeBase | None, past: list[Done | None] | None = None) -> None:
         self.kb = kb
-        self.past: list[tuple[Compound, float] | None] = past if past is not None else []
+        self.past: list[Done | None] = past if past is not None else []
         self._conditions = None if kb is None else Conditions(kb)
         self._changes = -1
         self._keep_up()
@@ -65,11 +66,12 @@ class Asking:
         self._keep_up()
         return self._changes
 
-    def observed(self, statement: Compound | None, t: float) -> None:
-        """Remember what was done, where anything looks back at it; None: it is not known what."""
+    def observed(self, statement: Compound | None, t: float | None) -> None:
+        """Remember what was done, where anything looks back at it; None: it is not known what, or when."""
         self._keep_up()
         if self.looks_back:
-            self.past.append(None if statement is None else (statement, t))
+            done = None if statement is None else statement if t is None else (statement, t)
+            self.past.append(None if done is None else in_order([done], self._history(self.now))[-1])
 
     def forget(self) -> None:
         """Take back what was done last."""
@@ -100,7 +102,7 @@ class Asking:
         return ((self.now if moment < 0 else moment) + after if looks_back else 0, relation)
 
     def settled(
-        self, waiting: Sequence[Asked], env: Env, doing: Sequence[tuple[Compound, float]] = ()
+        self, waiting: Sequence[Asked], env: Env, doing: Compound | Done | None = None
     ) -> tuple[Env, tuple[Asked, ...]] | Failed:
         """The substitution after these conditions, and those that are still open; the reasons where one fails.
 
@@ -213,7 +215,7 @@ class Asking:
         numbers = {number: name for name, number in names.items()}
         return {numbers[number]: values for number, values in known.items()}
 
-    def _answer(self, moment: int, relation: Any, doing: Sequence[tuple[Compound, float]]) -> Any:
+    def _answer(self, moment: int, relation: Any, doing: Compound | Done | None) -> Any:
         """The relation as it holds (the very object, where nothing is bound), a refusal, or None while it is open."""
         key = (moment, relation)
         if key in self._known:
@@ -221,7 +223,9 @@ class Asking:
         if len(self._known) > MOST_REMEMBERED:
             self._known.clear()
         assert self._conditions is not None
-        history = [*self._history(moment), *(doing if moment > self.now else ())]
+        history: Sequence[Done] = self._history(moment)
+        if doing is not None and moment > self.now:
+            history = in_order([doing], history)
         atom = outward(relation)
         answer = self._conditions.answer(atom, history)
         if isinstance(answer, Compound):

@@ -148,7 +148,8 @@ class Networks:
     ) -> Iterable[Step[State]]:
         growth = self._growth(option, agent, noted)
         growth.fresh = state.slots
-        doing = [(Compound((option.action, agent or "", *(option.args or ()))), 0.0)]
+        statement = Compound((option.action, agent or "", *(option.args or ())))
+        doing = statement if option.t is None else (statement, option.t)
         for taken in growth.row(state.rest, {}, self.most_missed, FREE):
             due = (*state.open, *taken.due, *self._tail(taken.rest, taken.env))
             settled = self.asking.settled(due, taken.env, doing) if due else (taken.env, ())
@@ -334,7 +335,7 @@ class Networks:
 
     # --- the past --------------------------------------------------------------------------------------------------
 
-    def observed(self, seen: Seen, agent: str | None, t: float) -> None:
+    def observed(self, seen: Seen, agent: str | None, t: float | None) -> None:
         """Told once an observation is settled: what is possible later may depend on it."""
         options = options_of(seen)
         option = options[0][0]

@@ -18,7 +18,7 @@ from casper.engine.recognition.kernels.paths import best_first
 from casper.engine.recognition.options import Options
 from casper.engine.recognition.scoring import least_tie, posterior_by
 from casper.engine.recognition.standing import Standing
-from casper.engine.verification.observation import Seen
+from casper.engine.verification.observation import Observation, Seen
 from casper.kb.terms.terms import Compound
 from casper.plans.trees.nodes import Action, Task
 from casper.plans.trees.plan import Plan
@@ -76,7 +76,7 @@ class GrownTeller:
         self._prune(after)
         self.pasts.append(self.networks)
         self.networks = self.networks.fork()
-        self.networks.observed(seen, self.partner, float(len(self.observations)))
+        self.networks.observed(seen, self.partner, seen.t if isinstance(seen, Observation) else None)
 
     def _onward(self, end: End, seen: Seen) -> Iterator[tuple[End, Back]]:
         state, missed, needless = end

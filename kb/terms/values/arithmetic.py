@@ -14,17 +14,11 @@ from typing import Any, TypeAlias
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import NIL, Compound, Term, Variable
 from casper.kb.terms.unification import substitute, variables_of
+from casper.kb.terms.values.failure import EvaluationFailed as EvaluationFailed
+from casper.kb.terms.values.moments import Moment
 
 Number: TypeAlias = int | float
 MOST_BITS = 1 << 20  # of an integer; a power or a shift would otherwise fill the memory in one step
-
-
-class EvaluationFailed(Exception):
-    """A ground expression that has no value; ``sentence`` says why, with the expression."""
-
-    def __init__(self, sentence: str) -> None:
-        super().__init__(sentence)
-        self.sentence = sentence
 
 
 class _NoValue(Exception):
@@ -37,7 +31,7 @@ CONSTANTS: dict[str, float] = {"pi": math.pi, "e": math.e, "inf": math.inf, "eps
 
 
 def evaluate(term: Term) -> Number:
-    """The value of a ground arithmetic term.
+    """The value of a ground arithmetic term; a time of which only the order is known is its own.
 
     Raises:
         EvaluationFailed: not a number, a division by zero, outside a function's domain, or too large.
@@ -48,6 +42,13 @@ def evaluate(term: Term) -> Number:
         values = [evaluate(arg) for arg in term.args]
         try:
             return _bounded(FUNCTIONS[term.indicator](*values))
+        except TypeError:
+            unknown = next((value for value in values if isinstance(value, Moment)), None)
+            if unknown is None:
+                raise
+            shown = term_text(Compound((term[0], *values)))
+            because = f"{unknown} is known by its order only, not in seconds"
+            raise EvaluationFailed(f"{shown} has no value: {because}") from None
         except (_NoValue, OverflowError, ValueError, ZeroDivisionError) as mistake:
             shown = term_text(Compound((term[0], *values)))
             raise EvaluationFailed(f"{shown} has no value: {_reason(mistake)}") from None
@@ -57,6 +58,8 @@ def evaluate(term: Term) -> Number:
         return CONSTANTS[term]
     if isinstance(term, (int, float)) and not isinstance(term, bool):
         return term
+    if isinstance(term, Moment):
+        return term  # type: ignore[return-value]
     raise EvaluationFailed(f"{term_text(term)} is not a number")
 
 

@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from casper.kb.terms.values.moments import Moment
 from casper.kb.top_down.builtins.builtin import Builtin, Outcome, has_end, is_ground, is_known, walked_list
 
 
 def _is_number(term: Any) -> bool:
-    return type(term) is int or type(term) is float
+    return type(term) in (int, float, Moment)
 
 
 def _test(holds: Callable[[Any], bool], ready: Callable[[Any], bool] = is_known) -> Builtin:
@@ -26,7 +27,7 @@ def _test(holds: Callable[[Any], bool], ready: Callable[[Any], bool] = is_known)
 KINDS = {
     ("number", 1): _test(_is_number),
     ("integer", 1): _test(lambda term: type(term) is int),
-    ("float", 1): _test(lambda term: type(term) is float),
+    ("float", 1): _test(lambda term: type(term) in (float, Moment)),
     ("atom", 1): _test(lambda term: type(term) is str),
     ("atomic", 1): _test(lambda term: not isinstance(term, tuple)),
     ("compound", 1): _test(lambda term: isinstance(term, tuple)),

@@ -26,6 +26,7 @@ from hypothesis import given
 from casper.engine.domain.domain import Domain
 from casper.engine.domain.examples import examples_of, failure
 from casper.engine.reading.reading import Reading
+from casper.engine.verification.history import in_order
 from casper.kb.terms.terms import Compound
 from casper.kb.text.reader import read_statement
 from casper.testing.asserts import assert_rejected, assert_valid
@@ -202,12 +203,12 @@ class PlannerContract:
             steps = [read_statement(step) if isinstance(step, str) else step for step in self.plan(reading)]
             ours = [repr(step) for step in steps]
             others = [leaf for part in best.parts for leaf in part.leaves if repr(leaf) not in ours]
-            history = [(Compound((leaf.functor, partner, *leaf.args)), float(at)) for at, leaf in enumerate(others)]
+            history = in_order(Compound((leaf.functor, partner, *leaf.args)) for leaf in others)
             for step in steps:
                 statement = Compound((step.functor, robot, *step.args))
                 verdict = self.domain.kb.verify(statement, history)
                 seen = ", ".join(pursuit.actions)
                 assert verdict.valid, f"after {seen}, {statement} is not valid: {'; '.join(verdict.reasons)}"
-                history.append((statement, float(len(history))))
+                history = in_order([statement], history)
 
         law()

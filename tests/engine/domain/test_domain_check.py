@@ -94,6 +94,13 @@ def test_where_the_order_is_open_a_step_is_tried_at_its_best_moment(tmp_path):
     assert told_of(tmp_path, "goal(g). g --> a, b, c.\n", never) == [("error", "the goal g cannot be pursued: nobody can do b, because c comes first")]
 
 
+def test_the_time_between_two_steps_makes_no_plan_impossible(tmp_path):
+    never = 'never("not so soon") :- claim(b(_)), did(a(_), T), \\+ (did(c(_), T2), T2 - T >= 60).\n'
+    assert told_of(tmp_path, "goal(g). g --> a, c, b.\n", never) == []
+    unseen = 'never("not so soon") :- claim(b(_)), did(a(_), T), \\+ (did(c(_), T2), T2 > T).\n'
+    assert [s for s, _ in told_of(tmp_path, "goal(g). g --> a, b, c.\n", unseen)] == ["error"]
+
+
 def test_many_choices_hide_neither_a_way_nor_another_goal(tmp_path):
     choices = ", ".join(["(b ; c)"] * 12)
     told = told_of(tmp_path, f"goal(g). goal(h). g --> (bad ; a), {choices}. h --> a, bad.\n")

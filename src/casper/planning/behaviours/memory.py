@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from casper.engine.collaboration.collaboration import CollaborativePlan
 from casper.engine.domain.domain import Domain
 from casper.engine.reading.reading import Reading
+from casper.engine.verification.history import Done, in_order
 from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.kb.errors import CasperError
 from casper.kb.reasons.validity import Verdict
@@ -77,7 +79,7 @@ class Memory:
         self.own.add(before)
         return "done"
 
-    def _history(self) -> list[tuple[Compound, float]]:
+    def _history(self) -> Sequence[Done]:
         told: list[Compound] = []
         for number, seen in enumerate(self.reading.observations):
             (observation, _), *others = options_of(seen)
@@ -85,7 +87,7 @@ class Memory:
                 agent = self.plan.agent if number in self.own else self.domain.partner
                 told.append(self._by(agent, Compound((observation.action, *(observation.args or ())))))
         told += [self._by(self.plan.agent, action) for action in self.kept]
-        return [(statement, float(time)) for time, statement in enumerate(told)]
+        return in_order(told)
 
     def _by(self, agent: str, action: Compound) -> Compound:
         return Compound((action.functor, agent, *action.args))
