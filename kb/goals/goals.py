@@ -135,9 +135,9 @@ def _then_doubts(relation: Relation, args: Row, state: State) -> Iterator[State]
     """As `stored_goal`; raises `Undefined` after the last state when the arguments can be an undefined row."""
     yield from stored_goal(relation, args, state)
     assert relation.undefined is not None
-    for row in relation.undefined:
+    for row in relation.undefined if _is_hashable(args) and args not in relation else ():
         fresh = tuple(_to_kanren(opened(value, count()), {}) for value in row)
-        if args not in relation and unify(args, fresh, state) is not False:
+        if unify(args, fresh, state) is not False:
             sentence = f"{term_text(as_term(Compound((relation.name, *row))))} is undefined"
             raise Undefined(sentence)
 

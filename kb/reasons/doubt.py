@@ -184,16 +184,16 @@ class _Search:
     def _any_circle(self, start: Compound) -> Doubt | None:
         """A circle through any negation that was met."""
         for step in (s for steps in self.steps.values() for s in steps if s.literal.negated):
-            home = self._way(step.needs, step.fact)
+            home = None if step.needs is None else self._way(step.needs, step.fact)
             if home is not None:
                 path = self._path(step.fact)
                 return Doubt(start, (*path, step, *home), len(path))
         return None
 
-    def _way(self, start: Compound | None, goal: Compound) -> list[Step] | None:
+    def _way(self, start: Compound, goal: Compound) -> list[Step] | None:
         """Steps from one atom to another among those that were looked at."""
-        came: dict[Compound, Step | None] = {} if start is None else {start: None}
-        waiting = list(came)
+        came: dict[Compound, Step | None] = {start: None}
+        waiting = [start]
         for atom in waiting:  # it grows
             if atom == goal:
                 found: list[Step] = []

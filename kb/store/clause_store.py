@@ -16,7 +16,7 @@ from casper.kb.store.versioned import Versioned, of_one_moment
 from casper.kb.terms.clauses import Clause, Indicator, Sentence
 from casper.kb.terms.origins import FactBlock, Origin
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, Variable, as_term, predication
+from casper.kb.terms.terms import Compound, as_term, predication
 from casper.kb.terms.unification import is_ground
 from casper.kb.text.lines import text_of
 from casper.kb.text.reader import read_blocks, read_statement, read_text
@@ -173,17 +173,15 @@ class ClauseStore(Versioned):
             raise
 
     def facts(self, name: str, rows: Iterable[Row]) -> None:
-        """Load many facts of one predicate: ``kb.facts("edge", [("a", "b"), ("b", "c")])``; rows of constants.
+        """Load many facts of one predicate: ``kb.facts("edge", [("a", "b"), ("b", "c")])``; rows of ground terms.
 
         Raises:
-            ProgramError: rows of different lengths, or with a variable in them.
+            ProgramError: rows of different lengths.
         """
         loaded = list(map(tuple, rows))
         arities = set(map(len, loaded))
         if len(arities) > 1:
             raise ProgramError(f"the rows of {name} have {' and '.join(map(str, sorted(arities)))} columns; pick one")
-        if any(type(value) is Variable for row in loaded for value in row):
-            raise ProgramError(f"a row of {name} has a variable; only constants can be loaded")
         if arities:
             self._load((name, arities.pop()), loaded, None)
 

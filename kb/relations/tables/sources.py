@@ -8,6 +8,8 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable, Sequence
 from datetime import date, time
+from itertools import chain
+from operator import eq
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +17,11 @@ from casper.kb.errors import Place, ProgramError, ReadError
 from casper.kb.relations.relation import Row
 from casper.kb.relations.tables.csv_rows import csv_rows
 from casper.kb.relations.tables.libraries import needed
-from casper.kb.terms.terms import Term
+from casper.kb.terms.terms import Compound, Term
+from casper.kb.terms.unification import is_ground
 
 _PLAIN = frozenset((str, int))
+_NUMBERS = frozenset((str, int, float))  # among which something may be "not a number"
 
 
 def rows_of(source: Any, header: bool = True) -> tuple[Iterable[Row], int | None]:
@@ -27,7 +31,7 @@ def rows_of(source: Any, header: bool = True) -> tuple[Iterable[Row], int | None
 
     Raises:
         ReadError: a file that cannot be read, with its line.
-        ProgramError: a value that is no constant (nothing, not a number, a list …), with row and column.
+        ProgramError: a value that is no constant (nothing, not a number, a list, an open term …), with row and column.
         CasperError: the library that reads it is not installed.
     """
     if isinstance(source, (str, Path)):
@@ -39,13 +43,21 @@ def rows_of(source: Any, header: bool = True) -> tuple[Iterable[Row], int | None
         return _of_columns(list(map(str, source.columns)), columns)
     if _is(source, "pyarrow", "Table") or _is(source, "pyarrow", "RecordBatch"):
         return _of_arrow(source)
-    return source, None
+    return _of_rows(source), None
 
 
 def _is(source: Any, library: str, kind: str) -> bool:
     """Whether the source is of a library's class; one that nobody has imported made none."""
     module = sys.modules.get(library)
     return module is not None and isinstance(source, getattr(module, kind))
+
+
+def _of_rows(rows: Iterable[Iterable[Any]]) -> Sequence[Row]:
+    found = list(map(tuple, rows))
+    kinds = set(map(type, chain.from_iterable(found)))
+    if kinds <= _PLAIN or (kinds <= _NUMBERS and all(map(eq, chain.from_iterable(found), chain.from_iterable(found)))):
+        return found
+    return [tuple([_constant(v, str(at), row) for at, v in enumerate(values)]) for row, values in enumerate(found, 1)]
 
 
 def _of_file(path: Path, header: bool) -> tuple[Sequence[Row], int]:
@@ -85,9 +97,13 @@ def _constants(name: str, values: list[Any]) -> list[Term]:
 
 
 def _constant(value: Any, name: str, row: int) -> Term:
+    if _is(value, "numpy", "generic"):
+        value = value.item()
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (str, int, float)) and value == value:
+        return value
+    if isinstance(value, Compound) and is_ground(value):
         return value
     if isinstance(value, (date, time)) and value == value:
         return value.isoformat()

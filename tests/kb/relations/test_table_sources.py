@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import CasperError, ProgramError, ReadError
+from casper.kb.terms.terms import Compound, Variable
 
 ROWS = [("ann", 3, 20.5), ("bob", 4, 30.0)]
 
@@ -228,3 +229,27 @@ def is_number(value):
 def test_rows_of_two_lengths_are_still_refused():
     with pytest.raises(ProgramError, match="columns"):
         loaded([("a",), ("a", "b")])
+
+
+# --- rows ------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("odd", "told"),
+    [
+        *[(None, "nothing"), (float("nan"), "nothing"), (["a"], "['a']"), (("f", "a"), "('f', 'a')"), (b"x", "b'x'")],
+        *[(Variable("X"), "X"), (Compound(("f", Variable("X"))), "f(X)"), (np.float64("nan"), "nothing")],
+    ],
+)
+def test_what_is_no_constant_in_a_row_is_told_with_row_and_column(odd, told):
+    assert str(refused([("ann", 1), ("bob", odd)])) == f"row 2 has {told} in column 1: a fact needs an atom or a number there"
+
+
+def test_rows_may_have_ground_terms_truth_values_and_dates():
+    plate = Compound(("on", "plate", "table"))
+    assert loaded([(plate, True, datetime.date(2026, 1, 2)), (0.5, False, 1)]) == [(plate, "true", "2026-01-02"), (0.5, "false", 1)]
+
+
+def test_numbers_of_numpy_in_rows_are_python_s():
+    rows = loaded([(np.int64(3), np.float64(0.5), np.str_("a"))])
+    assert rows == [(3, 0.5, "a")] and [type(value) for value in rows[0]] == [int, float, str]
