@@ -36,17 +36,12 @@ def rules_that_give_nothing(
             continue
         if any(_is_empty(kb, i, empty) and any(c.body for c in kb.clauses_of(i)) for i in needed):
             continue
-        culprit = _culprit(kb, rule, empty)
+        culprit = _culprit(kb, rule)
         if culprit is not None:
             yield culprit
 
 
-def _culprit(kb: KnowledgeBase, rule: Clause, empty: dict[Indicator, bool]) -> Finding | None:
-    for literal in rule.body:
-        if not literal.negated and not literal.is_comparison and _is_empty(kb, literal.atom.indicator, empty):
-            name, arity = literal.atom.indicator
-            fix = f"add a fact, or write :- dynamic({name}/{arity}). where facts come later"
-            return warning(literal.place, f"nothing is known of {name}/{arity}, so the rule gives nothing; {fix}")
+def _culprit(kb: KnowledgeBase, rule: Clause) -> Finding | None:
     conditions = sorted(rule.body, key=lambda x: x.negated or x.is_comparison)  # what binds stands first
     for length in range(1, len(conditions) + 1):
         if _holds(kb, conditions[:length]) is False:

@@ -36,41 +36,29 @@ class Declaration:
 
 
 def declaration(directive: Directive) -> Declaration:
-    """What a directive says.
+    """What a directive says; a list of predicates comes as one directive for each (`kb.text.directives`).
 
     Raises:
         ProgramError: a directive nobody knows.
     """
     term = directive.term
-    if term.arity == 1 and term.functor in ("dynamic", "discontiguous", "stored", "table"):
-        items = list(_items(term[1]))
-        indicators = [_indicator(item) for item in items]
-        if term.functor == "table":
-            moded = {i: m for item in items for i, m in [_moded(item)] if m is not None}
-            if all(i is not None or _moded(item)[0] is not None for i, item in zip(indicators, items)):
-                return Declaration(least={i: m for i, m in moded.items() if i is not None})
-        elif None not in indicators:
-            named = tuple(i for i in indicators if i is not None)
-            return Declaration(named if term.functor == "dynamic" else (), named if term.functor == "stored" else ())
-    place = directive.place
     sentence = f"the only directive is :- dynamic(name/arity), not {term_text(as_term(term))}"
+    if term.arity == 1 and term.functor in ("dynamic", "discontiguous", "stored", "table"):
+        named = _indicator(term[1])
+        if named is not None:
+            return Declaration((named,) * (term.functor == "dynamic"), (named,) * (term.functor == "stored"))
+        least = _moded(term[1]) if term.functor == "table" else None
+        if least is not None:
+            return Declaration(least=least)
     if term.functor in ("table", "discontiguous", "stored"):
         sentence = f"{term.functor} needs name/arity" + (" or path(_, _, min)" if term.functor == "table" else "")
-    raise ProgramError(sentence, place)
+    raise ProgramError(sentence, directive.place)
 
 
 def tabled(indicator: Indicator, moded: Moded) -> Directive:
     """The directive that declares a moded argument."""
     args = [moded.mode if at == moded.at else Variable(f"_#{at}") for at in range(indicator[1])]
     return Directive(Compound(("table", Compound((indicator[0], *args)))))
-
-
-def _items(term: Term) -> Iterator[Term]:
-    if isinstance(term, Compound) and term.functor == "," and term.arity >= 1:
-        for part in term.args:
-            yield from _items(part)
-    else:
-        yield term
 
 
 def _indicator(term: Term) -> Indicator | None:
@@ -81,12 +69,11 @@ def _indicator(term: Term) -> Indicator | None:
     return None
 
 
-def _moded(term: Term) -> tuple[Indicator | None, Moded | None]:
-    """The predicate of ``path(_, _, min)`` with its moded argument; None where nothing is moded."""
-    if _indicator(term) is not None or not isinstance(term, Compound):
-        return _indicator(term), None
-    if term.arity and all(isinstance(arg, Variable) or arg in ("min", "max", "index") for arg in term.args):
-        modes = [Moded(at, str(arg)) for at, arg in enumerate(term.args) if arg in ("min", "max")]
-        if len(modes) <= 1:
-            return term.indicator, modes[0] if modes else None
-    return None, None
+def _moded(term: Term) -> dict[Indicator, Moded] | None:
+    """The predicate of ``path(_, _, min)`` with its moded argument, if it has one; None where it is no such term."""
+    if not isinstance(term, Compound) or not term.arity:
+        return None
+    modes = [Moded(at, str(arg)) for at, arg in enumerate(term.args) if arg in ("min", "max")]
+    if len(modes) > 1 or not all(isinstance(arg, Variable) or arg in ("min", "max", "index") for arg in term.args):
+        return None
+    return {term.indicator: mode for mode in modes}
