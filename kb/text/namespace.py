@@ -11,14 +11,13 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from casper.kb.terms.builtins import BUILTINS
-from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Literal, Sentence
+from casper.kb.terms.clauses import CALLING, SYSTEM, Clause, Directive, Indicator, Literal, Sentence
 from casper.kb.terms.control import CONTROL
 from casper.kb.terms.syntax import COMPARISONS
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 
 SEPARATOR = ":"
 _ABOUT = (("claim", 1), ("did", 2), ("valid", 1))  # their first argument is a statement
-_CALLING = ("call", "maplist")  # their first argument is a goal, perhaps without its last arguments
 _COUNTED = (("aggregate_all", 3), ("findall", 3))  # their second argument is a goal
 
 
@@ -49,9 +48,15 @@ def goal_of(term: Term) -> Term:
         return Compound((term[0], term[1], goal_of(term[2]), term[3]))
     if term.indicator in CONTROL or term[0] in (",", ";"):
         return Compound((term[0], *map(goal_of, term.args)))
-    if term[0] in _CALLING and term.arity and term.indicator in BUILTINS:
+    if _added(term.indicator) is not None:
         return Compound((term[0], goal_of(term[1]), *term[2:]))
     return qualified(term)
+
+
+def _added(indicator: Indicator) -> int | None:
+    """How many arguments a built-in adds to its first one, which is a goal; None where that is none."""
+    is_call = indicator[0] == "call" and indicator in BUILTINS
+    return indicator[1] - 1 if is_call else CALLING.get(indicator)
 
 
 def prefixed(sentences: Iterable[Sentence], prefix: str) -> Iterator[Sentence]:
@@ -119,8 +124,9 @@ def _goal(term: Term, space: _Space) -> Term:
         return as_term(Compound((atom[0], *(_goal(part, space) for part in atom.args))))
     if atom.indicator in _ABOUT:
         return Compound((atom[0], _statement(atom[1], space), *atom[2:]))
-    if atom[0] in _CALLING and atom.indicator in space.given:
-        return Compound((atom[0], _called(atom[1], atom.arity - 1, space), *atom[2:]))
+    added = _added(atom.indicator) if atom.indicator in space.given else None
+    if added is not None:
+        return Compound((atom[0], _called(atom[1], added, space), *atom[2:]))
     return as_term(_named(atom, space))
 
 
