@@ -54,7 +54,7 @@ def is_control(literal: Literal) -> bool:
     name, size = literal.atom[0], len(literal.atom)
     if name == "call" and size > 1:
         return not isinstance(literal.atom[1], Variable)
-    return literal.atom.indicator in CONTROL or (name in (",", ";") and size > 2)
+    return literal.atom.indicator in CONTROL
 
 
 @dataclass

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -76,4 +75,4 @@ def _moded(term: Term) -> dict[Indicator, Moded] | None:
     modes = [Moded(at, str(arg)) for at, arg in enumerate(term.args) if arg in ("min", "max")]
     if len(modes) > 1 or not all(isinstance(arg, Variable) or arg in ("min", "max", "index") for arg in term.args):
         return None
-    return {term.indicator: mode for mode in modes}
+    return {term.indicator: modes[0]} if modes else {}

@@ -122,8 +122,7 @@ class Literal:
             return term_text(term, 700)
         if not isinstance(term, Compound):
             return term_text(term)
-        is_control = term.indicator in CONTROL or term[0] in (",", ";")
-        return term_text(term, 900 if self.negated else 999) if is_control else statement_text(term)
+        return term_text(term, 900 if self.negated else 999) if term.indicator in CONTROL else statement_text(term)
 
 
 @dataclass(frozen=True, slots=True)

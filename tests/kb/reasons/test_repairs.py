@@ -56,3 +56,7 @@ def test_a_clash_with_a_comparison_ends_when_its_facts_go():
     text = 'far(a, 5). far(b, 1). spot(a). spot(b). go(X) :- spot(X). never("too far") :- claim(go(X)), far(X, N), N > 3.'
     assert repairs(text, "go(a)") == ["remove far(a, 5)"]
     assert repairs(text, "go(b)") == []
+
+
+def test_changes_that_are_reached_in_two_orders_are_one_repair():
+    assert repairs(":- dynamic([a/0, b/0]). go :- a, b. go :- b, a.", "go") == ["add a and add b"]

@@ -266,3 +266,13 @@ def test_what_is_valid_in_several_ways_is_listed_once():
     )
     base.declare_statements([("p", 2)])
     assert [str(x) for x in valid_instances(Compound(("p", Variable("X"), 1)), base.solver(), base._model.constraints)] == ["p(a, 1)"]
+
+
+RATIO = 'n(0). n(1). n(2). p(1). p(5). w(X) :- p(X). never("too much") :- claim(w(X)), n(Y), Z is X / Y, Z > 2. '
+
+
+def test_a_constraint_that_is_broken_and_has_no_value_elsewhere_is_told_once():
+    assert KnowledgeBase.from_text(RATIO).verify("w(5)").reasons == ("too much",)
+    with pytest.raises(Undefined):
+        KnowledgeBase.from_text(RATIO).ask("valid(w(1))")
+    assert KnowledgeBase.from_text(RATIO.replace("n(0). ", "")).ask("valid(w(1))")

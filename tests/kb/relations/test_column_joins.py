@@ -101,6 +101,35 @@ def test_every_operation_and_comparison_gives_on_columns_what_it_gives_of_each_r
 
 
 @pytest.mark.parametrize(
+    "condition", ["W is X * Y", "W is X + Y", "W is X - Y", "X * Y > 1", "W is -X", "X + Y =:= Y + X", "W is abs(X) * 3"]
+)
+@pytest.mark.parametrize("large", [2**31, 2**40, 2**53, 2**62, 10**30])
+def test_whole_numbers_never_overflow_on_columns(condition, large):
+    data = [(large, large), (-large, large + 1), (1 - large, 2), (0, 0)]
+    base, query = base_of(data, []), f"r(X, Y), {condition}"
+    with settings(10**9, 10**9, 1 << 16):
+        plain = told(lambda: base.query(query))
+    with settings(0, 1, 1 << 16):
+        assert told(lambda: base.query(query)) == plain
+
+
+def test_a_comparison_of_no_rows_at_all_has_no_answer():
+    base = base_of([(1, 2)], [(5, 6)])
+    with settings(0, 1, 1 << 16):
+        assert list(base.query("r(X, Y), s(Y, Z), W is X * Z + Y, W < 3")) == []
+
+
+def test_answers_given_before_columns_gave_up_are_not_given_again():
+    rows = [(at, at + 1) for at in range(10)] + [("far", 3)]  # the last one is no number
+    base = base_of(rows, [])
+    with settings(10**9, 10**9, 2):
+        plain = told(lambda: base.query("r(X, Y), Y < 20, W is X + 1"))
+    with settings(0, 1, 2):
+        assert told(lambda: base.query("r(X, Y), Y < 20, W is X + 1")) == plain
+    assert len(plain[0]) == 10 and plain[1]
+
+
+@pytest.mark.parametrize(
     "query",
     ["r(X, Y), s(Y, Z)", "r(X, _)", "r(X, Y), \\+ s(X, Y)", "r(X, Y), X > Y", "r(X, Y), W is X + Y, s(_, W)", "r(X, Y), s(Y, W), X \\= W"],
 )
