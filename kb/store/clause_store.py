@@ -7,6 +7,7 @@ from functools import lru_cache
 from typing import Any, Self, TypeVar
 
 from casper.kb.errors import ProgramError
+from casper.kb.reasons.says import SAYS, Words, words_of
 from casper.kb.relations.relation import Row
 from casper.kb.store.computed import own_predicates
 from casper.kb.store.known import MOST_INDEXED, NOTHING, Statement
@@ -84,6 +85,28 @@ class ClauseStore(Versioned):
         with self._changing():
             self._stated.statements.update(dict.fromkeys(statements))
             self._validated = {}
+
+    @property
+    def language(self) -> str:
+        """The language in which reasons are told, as far as ``say/3`` has sentences in it; empty: as ``say/2`` has."""
+        return self._stated.language
+
+    @language.setter
+    def language(self, language: str) -> None:
+        with self._changing():
+            self._stated.language = language
+            self.changes += 1  # reasons that were kept are told anew
+
+    @property
+    def words(self) -> Words:
+        """The author's sentences, in the language of the base."""
+        made = self._worded
+        if made is None or made[0] != (self.changes, self.language):
+            clauses = [clause for indicator in SAYS for clause in self.clauses_of(indicator)]
+            made = self._worded = ((self.changes, self.language), words_of(clauses, self.language))
+        return made[1]
+
+    _worded: tuple[tuple[int, str], Words] | None = None
 
     @property
     def declared(self) -> Sequence[Indicator]:

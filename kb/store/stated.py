@@ -31,11 +31,12 @@ class Stated:
     stored: set[Indicator] = field(default_factory=set)
     statements: dict[Indicator, None] = field(default_factory=dict)
     shared: set[Indicator] = field(default_factory=set)
+    language: str = ""  # in which reasons are told, where somebody worded them
 
     def copied(self) -> Stated:
         """The same, to go its own way."""
         own = dict(self.clauses), set(self.dynamic), dict(self.bulk), dict(self.least), set(self.stored)
-        return Stated(*own, dict(self.statements), set(self.bulk))
+        return Stated(*own, dict(self.statements), set(self.bulk), self.language)
 
     def add(self, sentence: Sentence) -> None:
         """Add a clause or a declaration.
@@ -94,7 +95,8 @@ class Stated:
     def packed(self) -> Stated:
         """The same as it travels to other processes: rows with their clauses instead of the text they stand in."""
         bulk: Bulk = {i: {r: _kept(i, r, origin) for r, origin in rows.items()} for i, rows in self.bulk.items()}
-        return Stated(self.clauses, self.dynamic, bulk, self.least, self.stored, self.statements)
+        kept = self.clauses, self.dynamic, bulk, self.least, self.stored, self.statements
+        return Stated(*kept, language=self.language)
 
     def __len__(self) -> int:
         return len(self.clauses) + sum(map(len, self.bulk.values()))

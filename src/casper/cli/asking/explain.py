@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Language, Noise, PolicyName, Unverified
 from casper.kb.errors import CasperError
 
 
@@ -33,6 +33,7 @@ def explain(
             help="Goal after goal, several at once, or given up at this price: an explanation is a row of episodes.",
         ),
     ] = None,
+    language: Language = None,
     as_json: AsJson = False,
 ) -> None:
     """Explain observed actions: after each one, the goals, the best explanations, and why the others are out."""
@@ -43,7 +44,7 @@ def explain(
     if changes is not None:
         if picture is not None or questions:
             raise CasperError("--changes explains by rows of episodes: leave --picture and --questions out")
-        day = Domain.load(domain).day(abandon=changes, needless=noise, verification=not no_verification)
+        day = Domain.load(domain, language).day(abandon=changes, needless=noise, verification=not no_verification)
         for action in actions:
             day.observe(action)
             if as_json:
@@ -55,7 +56,7 @@ def explain(
         from casper.engine.explanation.pictures import check_picture
 
         check_picture(picture)
-    reading = Domain.load(domain).reading(policy, verification=not no_verification, noise=noise, goals=goals)
+    reading = Domain.load(domain, language).reading(policy, verification=not no_verification, noise=noise, goals=goals)
     for action in actions:
         reading.observe(action)
         if as_json:

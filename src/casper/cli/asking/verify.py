@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.terminal.options import AsJson, DomainName
+from casper.cli.terminal.options import AsJson, DomainName, Language
 
 if TYPE_CHECKING:
     from casper.kb.base import KnowledgeBase
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 def verify(
     domain: DomainName,
     statements: Annotated[list[str], typer.Argument(help='Such as "eat(human, biscuits, plate)"; _ is unknown.')],
+    language: Language = None,
     as_json: AsJson = False,
 ) -> None:
     """Judge statements, each with its proof, or with the reasons against it and what would mend it."""
@@ -24,7 +25,7 @@ def verify(
     from casper.kb.errors import DomainError
     from casper.server.answers import verdict_json
 
-    loaded = Domain.load(domain)
+    loaded = Domain.load(domain, language)
     if not loaded.verifies:
         raise DomainError(f"the domain {loaded.name} has no ontology.pl, so it verifies nothing; write one")
     all_valid = True

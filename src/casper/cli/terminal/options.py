@@ -16,3 +16,7 @@ Noise = Annotated[
 ]
 Goals = Annotated[int, typer.Option("--goals", metavar="N", help="How many goals may be pursued at once.")]
 Stops = Annotated[bool, typer.Option("--stop", help="Stop at an action that fits no plan, instead of leaving it out.")]
+Language = Annotated[
+    str | None,
+    typer.Option("--language", metavar="L", help="Tell reasons in this language, as far as the domain words them: fr."),
+]

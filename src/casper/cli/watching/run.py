@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Language, Noise, PolicyName, Unverified
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
@@ -36,6 +36,7 @@ def run(
         bool, typer.Option("--changes-mind", help="The first goal is given up for the next after its first action.")
     ] = False,
     speed: Annotated[float, typer.Option(help="Simulated seconds a second; 0 is as fast as it goes.")] = 0.0,
+    language: Language = None,
     as_json: AsJson = False,
 ) -> None:
     """Simulate a partner in the domain's room, read their goals, and do the robot's part."""
@@ -46,13 +47,13 @@ def run(
     from casper.engine.events.timeline import Timeline
 
     _check_speed(speed)
-    loaded = Domain.load(domain)
+    loaded = Domain.load(domain, language)
     needs("mujoco", "sim")
     from casper.sim_adapter.trial import Trial, TrialSettings
 
     day = (",".join(goal) if goal else None, seed, not no_verification, not no_robot, policy, noise, goals)
     trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind))
-    out, timeline = console(), Timeline(loaded.partner, loaded.robot)
+    out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
     if not as_json:
         show(out, timeline.open(loaded.name, seed))
     for event in _paced(trial.events(), speed):
