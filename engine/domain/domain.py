@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, fields, replace
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -109,18 +110,25 @@ class Domain(Readings):
         return domain_name(self)
 
 
+def shipped_domains() -> list[str]:
+    """The names of the domains that come with the package."""
+    return sorted(p.name for p in SHIPPED.iterdir() if p.is_dir() and any(is_there(p / f) for f in FILES))
+
+
 def find_domain(name: str | Path) -> Path:
     """The folder of a shipped domain or of a path.
 
     Raises:
         DomainError: there is none, or the folder holds no domain file.
     """
-    shipped = sorted(p.name for p in SHIPPED.iterdir() if p.is_dir() and any(is_there(p / f) for f in FILES))
+    shipped = shipped_domains()
     folder = Path(name)
     if str(name) in shipped and not os.path.isdir(folder):
         return SHIPPED / str(name)
     if not os.path.isdir(folder):
-        raise DomainError(f"there is no domain {str(name)!r}: give a folder, or one of {', '.join(shipped)}")
+        close = get_close_matches(str(name), shipped, n=1)
+        hint = f"; did you mean {close[0]}?" if close else ""
+        raise DomainError(f"there is no domain {str(name)!r}: give a folder, or one of {', '.join(shipped)}{hint}")
     if not any(is_there(folder / file) for file in FILES):
         if str(name) in shipped:
             return SHIPPED / str(name)

@@ -127,6 +127,26 @@ class ClauseStore(Versioned):
         with self.lock:
             return self._stated.everything()
 
+    def unmentioned(self, names: Iterable[str]) -> set[str]:
+        """Those of the names that stand nowhere in what was stated, as an argument."""
+        missing = set(names)
+        with self.lock:
+            for name in self._stated.names():
+                missing.discard(name)
+                if not missing:
+                    break
+        return missing
+
+    def names(self, most: int) -> set[str]:
+        """The constants that are names; of more than ``most`` some of them."""
+        found: set[str] = set()
+        with self.lock:
+            for name in self._stated.names():
+                found.add(name)
+                if len(found) >= most:
+                    break
+        return found
+
     def to_text(self) -> str:
         """The clauses as text that reads in as the same model."""
         with self.lock:

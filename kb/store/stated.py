@@ -8,10 +8,11 @@ from typing import TypeAlias
 
 from casper.kb.errors import ProgramError
 from casper.kb.program.declarations import Moded, declaration, tabled
+from casper.kb.reasons.says import is_say
 from casper.kb.relations.relation import Row
 from casper.kb.terms.clauses import Clause, Directive, Indicator, Sentence
 from casper.kb.terms.origins import FactBlock, Origin, clause_behind
-from casper.kb.terms.terms import Compound
+from casper.kb.terms.terms import Compound, Term
 
 Bulk: TypeAlias = dict[Indicator, dict[Row, Origin]]
 
@@ -78,6 +79,24 @@ class Stated:
         """Every clause, in the author's order, then the facts that were loaded in bulk."""
         loaded = (fact_of(i, row, behind) for i, rows in self.bulk.items() for row, behind in rows.items())
         return (*self.clauses, *loaded)
+
+    def names(self) -> Iterator[str]:
+        """Every constant that is a name, wherever one stands as an argument, as often as it does."""
+        waiting: list[Term] = []
+        for clause in self.clauses:
+            if clause.is_constraint or is_say(clause):  # which have sentences
+                continue
+            for atom in (clause.head, *(literal.atom for literal in clause.body)):
+                waiting.extend(atom.args)
+            while waiting:
+                term = waiting.pop()
+                if isinstance(term, str):
+                    yield term
+                elif isinstance(term, Compound):
+                    waiting.extend(term.args)
+        for rows in self.bulk.values():
+            for row in rows:
+                yield from (value for value in row if isinstance(value, str))
 
     def sentences(self) -> Iterator[Sentence]:
         """Everything as a text has it: what is declared, then the clauses."""

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from casper.cli.terminal.options import AsJson, DomainName, Goals, Language, Noise, PolicyName, Unverified
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Language, Noise, PolicyName, Quiet, Unverified
 from casper.kb.errors import CasperError
 
 
@@ -34,9 +34,11 @@ def explain(
         ),
     ] = None,
     language: Language = None,
+    quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> None:
     """Explain observed actions: after each one, the goals, the best explanations, and why the others are out."""
+    from casper.cli.terminal.hints import hint
     from casper.cli.terminal.output import console, print_json
     from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
@@ -56,7 +58,8 @@ def explain(
         from casper.engine.explanation.pictures import check_picture
 
         check_picture(picture)
-    reading = Domain.load(domain, language).reading(policy, verification=not no_verification, noise=noise, goals=goals)
+    loaded = Domain.load(domain, language)
+    reading = loaded.reading(policy, verification=not no_verification, noise=noise, goals=goals)
     for action in actions:
         reading.observe(action)
         if as_json:
@@ -64,6 +67,8 @@ def explain(
             print_json({**reading.to_json(top), **asked})
         else:
             show(console(), reading.lines(top, questions))
+    if not reading.count and not no_verification:
+        hint(loaded, actions, quiet)
     if picture is not None:
         from casper.engine.explanation.pictures import save_picture
 
