@@ -17,7 +17,7 @@ from casper.engine.collaboration.supervisor import Supervisor
 from casper.engine.domain.agents import check_agents
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
-from casper.engine.events.printing import plan_lines, prediction_lines
+from casper.engine.events.printing import Names, plan_lines, prediction_lines
 from casper.engine.movements.movements import Movement, movement_classifier
 from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, perception_settings
@@ -161,13 +161,14 @@ class Mind:
         yield from self.reading.lines()
         made = self.supervisor.commitment
         if made is not None:
-            yield from prediction_lines(made.t, {"goal": made.goal, **self.supervisor.summary()})
+            names = Names(self.partner, self.domain.robot, self.domain.kb.words)
+            yield from prediction_lines(made.t, {"goal": made.goal, **self.supervisor.summary()}, names)
         if made is not None and self.supervisor.robot is not None:
             waiting, actions = (
                 [term_text(as_term(action)) for action in part]
                 for part in (self.supervisor.waiting, self.supervisor.actions)
             )
-            yield from plan_lines(self.supervisor.robot, waiting, actions)
+            yield from plan_lines(self.supervisor.robot, waiting, actions, self.reading.tell)
 
     def __str__(self) -> str:
         return text_of(self.lines())

@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -70,7 +71,8 @@ class KnowledgeBase(Questions):
         """
         atom = self._statement(statement)
         self.check_known(atom.indicator)
-        return why(atom, self._model, self.solver)
+        found = why(atom, self._model, self.solver)
+        return replace(found, words=self.words) if isinstance(found, Proof) and self.words else found
 
     @of_one_moment
     def why_not(self, statement: Statement, history: History = NO_HISTORY) -> Refusal | None:
@@ -79,7 +81,8 @@ class KnowledgeBase(Questions):
         if atom.indicator == ("valid", 1) and isinstance(atom[1], (str, tuple)):
             return self.why_not(predication(atom[1]), history)
         refusal = self._refused_at_once(atom)
-        return why_not(atom, self._model, self._searches(history)) if refusal is None else refusal
+        found = why_not(atom, self._model, self._searches(history)) if refusal is None else refusal
+        return found if found is None else replace(found, words=self.words)
 
     @of_one_moment
     def verify(self, statement: Statement, history: History = NO_HISTORY) -> Verdict:
@@ -89,9 +92,12 @@ class KnowledgeBase(Questions):
         """
         atom = self._statement(statement)
         refusal = self._refused_at_once(atom)
-        if refusal is not None:
-            return Verdict(atom, False, atom, refusal)
-        return judged(atom, self._model, self._searches(history))
+        verdict = judged(atom, self._model, self._searches(history)) if refusal is None else None
+        verdict = verdict or Verdict(atom, False, atom, refusal)
+        if not self.words:
+            return verdict
+        refusal = None if verdict.refusal is None else replace(verdict.refusal, words=self.words)
+        return replace(verdict, refusal=refusal, words=self.words)
 
     def _refused_at_once(self, atom: Compound) -> Refusal | None:
         """The refusal of a statement whose predicate nobody defines."""
@@ -113,7 +119,8 @@ class KnowledgeBase(Questions):
     @of_one_moment
     def broken(self) -> Sequence[Violation]:
         """The constraints that the facts alone break."""
-        return self._model.constraints.always
+        always, words = self._model.constraints.always, self.words
+        return tuple(replace(found, sentence=words.constraint(found.sentence)) for found in always) if words else always
 
     def changed(self, repair: Repair) -> KnowledgeBase:
         """A copy of the knowledge base with facts added and removed; this one stays as it is."""

@@ -11,6 +11,7 @@ from typing import Any, Protocol
 
 from casper.engine.collaboration.collaboration import CollaborativePlan
 from casper.engine.events import Event
+from casper.engine.events.telling import Telling
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.explanation.situation import Situation
 from casper.kb.terms.terms import Compound
@@ -37,6 +38,10 @@ class Reads(Protocol):
     @property
     def observations(self) -> Sequence[object]:
         """What was observed."""
+
+    @property
+    def tell(self) -> Telling:
+        """What tells goals in the author's words."""
 
     @property
     def posterior(self) -> Mapping[str, float]:
@@ -121,7 +126,7 @@ class Supervisor:
             return
         plan = self._planned(explanation)
         if self._made is not None and self._made.goal not in explanation.goals:
-            yield from self.withdraw(t, f"the goal is {goal} by now")
+            yield from self.withdraw(t, self._told("other goal", goal))
         self.commitment = Commitment(goal, t, explanation, plan, len(self.reading.observations))
         observed = len(explanation.marks)
         data = {"goal": goal, "confidence": explanation.share, "observed": observed, "missed": explanation.missed}
@@ -155,7 +160,12 @@ class Supervisor:
         """Nothing speaks for the goal any more, and for no other one alone yet."""
         first = self.reading.first
         if self._made is not None and (first is None or self._made.goal not in first.goals):
-            yield from self.withdraw(t, f"what was seen last does not fit {self._made.goal}")
+            yield from self.withdraw(t, self._told("fits not", self._made.goal))
+
+    def _told(self, phrase: str, goal: str) -> str:
+        """A sentence about a goal, in the words of the reading."""
+        tell = self.reading.tell
+        return tell.phrase(phrase, tell.goal(goal))
 
     def _announce(self, plan: CollaborativePlan, t: float) -> Iterator[Event]:
         if self._made is None or (plan.waiting, plan.actions) != (self.waiting, self.actions):

@@ -1,8 +1,8 @@
 """A domain: one folder of text, read into a knowledge base and a plan library.
 
-    >>> kitchen = Domain.load("kitchen")
-    >>> kitchen.kb.ask("wash(tiago, plate, sink)")
-    True
+>>> kitchen = Domain.load("kitchen")
+>>> kitchen.kb.ask("wash(tiago, plate, sink)")
+True
 """
 
 from __future__ import annotations
@@ -10,9 +10,11 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, fields, replace
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
+from casper.engine.domain.languages import check_says, speak
 from casper.engine.domain.printing import domain_lines, domain_name
 from casper.engine.domain.readings import Readings
 from casper.kb.base import KnowledgeBase
@@ -29,7 +31,7 @@ from casper.plans.library import GOAL, PlanLibrary
 from casper.plans.relations import RELATIONS, plan_clauses
 
 ONTOLOGY = "ontology.pl"
-FILES = (ONTOLOGY, "plans.pl", "actions.pl", "movements.pl", "scene.pl")
+FILES = (ONTOLOGY, "plans.pl", "actions.pl", "movements.pl", "scene.pl", "words.pl")
 SHIPPED = Path(__file__).resolve().parent.parent.parent / "domains"
 
 
@@ -51,19 +53,26 @@ class Domain(Readings):
     fingerprint: str = ""
 
     @classmethod
-    def load(cls, name: str | Path) -> Domain:
+    def load(cls, name: str | Path, language: str | None = None) -> Domain:
         """Load a shipped domain by its name, or any folder by its path.
+
+        Args:
+            name: the domain.
+            language: in which reasons are told, as far as the domain words them (``say/3``); None: as ``say/2`` has it.
 
         Raises:
             DomainError: no such domain, or a folder with nothing in it (the sentence lists the shipped ones), or a file
-            that is no regular one or too large.
+            that is no regular one or too large, or a language in which nothing is said.
             ReadError, ProgramError, PlanError: a mistake in its text, with file and line.
         """
         folder = find_domain(name)
         sources, possible = Sources((SHIPPED,)), [folder / file for file in FILES]
         sentences = {file.name: sources.sentences(file) for file in possible if is_there(file)}
         files = tuple(dict.fromkeys(sources.files))
-        return replace(build(folder.name, folder, sentences), files=files, fingerprint=fingerprint([*possible, *files]))
+        built = build(folder.name, folder, sentences)
+        if language:
+            speak(built.kb, language, folder.name)
+        return replace(built, files=files, fingerprint=fingerprint([*possible, *files]))
 
     @classmethod
     def from_text(
@@ -73,6 +82,7 @@ class Domain(Readings):
         actions: str | None = None,
         movements: str | None = None,
         scene: str | None = None,
+        words: str | None = None,
         name: str = "text",
     ) -> Domain:
         """A domain without a folder: the texts that would stand in its files; None: there is no such file.
@@ -81,7 +91,7 @@ class Domain(Readings):
             ReadError, ProgramError, PlanError: a mistake in a text, with the name of its file and the line. There is
             nothing to include or use from here.
         """
-        texts = dict(zip(FILES, (ontology, plans, actions, movements, scene)))
+        texts = dict(zip(FILES, (ontology, plans, actions, movements, scene, words)))
         sentences = {file: read_text(text, file) for file, text in texts.items() if text is not None}
         return build(name, Path(f"<{name}>"), sentences)
 
@@ -100,6 +110,10 @@ class Domain(Readings):
         return domain_name(self)
 
 
+def shipped_domains() -> list[str]:
+    """The names of the domains that come with the package."""
+    return sorted(p.name for p in SHIPPED.iterdir() if p.is_dir() and any(is_there(p / f) for f in FILES))
+
 
 def find_domain(name: str | Path) -> Path:
     """The folder of a shipped domain or of a path.
@@ -107,12 +121,14 @@ def find_domain(name: str | Path) -> Path:
     Raises:
         DomainError: there is none, or the folder holds no domain file.
     """
-    shipped = sorted(p.name for p in SHIPPED.iterdir() if p.is_dir() and any(is_there(p / f) for f in FILES))
+    shipped = shipped_domains()
     folder = Path(name)
     if str(name) in shipped and not os.path.isdir(folder):
         return SHIPPED / str(name)
     if not os.path.isdir(folder):
-        raise DomainError(f"there is no domain {str(name)!r}: give a folder, or one of {', '.join(shipped)}")
+        close = get_close_matches(str(name), shipped, n=1)
+        hint = f"; did you mean {close[0]}?" if close else ""
+        raise DomainError(f"there is no domain {str(name)!r}: give a folder, or one of {', '.join(shipped)}{hint}")
     if not any(is_there(folder / file) for file in FILES):
         if str(name) in shipped:
             return SHIPPED / str(name)
@@ -128,6 +144,7 @@ def build(name: str, folder: Path, sentences: dict[str, list[Sentence]]) -> Doma
     """
     verifies = ONTOLOGY in sentences
     everything = [sentence for found in sentences.values() for sentence in found]
+    check_says(everything)
     library = PlanLibrary(everything)
     kb = KnowledgeBase()
     kb.add(_knowledge(everything, verifies))

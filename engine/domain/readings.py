@@ -164,8 +164,11 @@ class Readings:
             matcher = self._matcher(verification, who, known)
             default = who == self.partner and not known
             can = self.capability if default else partial(self.capability, partner=who, earlier=known)
-            return Reading(self.library, matcher, policy, can, options)
-        return GrownReading(self.library, self.networks(verification), policy, self.capability, options)
+            fresh = Reading(self.library, matcher, policy, can, options)
+        else:
+            fresh = GrownReading(self.library, self.networks(verification), policy, self.capability, options)
+        fresh.words = self.kb.words
+        return fresh
 
     def networks(self, verification: bool = True, most_missed: int = MOST_MISSED_OF_ENDLESS) -> Networks:
         """How the goals go on when plans are grown lazily (`engine.episodes.growing`): nothing is unrolled.

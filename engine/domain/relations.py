@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from casper.kb.reasons.says import SAYS
+
 SHARING_NAMES = frozenset(
     {
         ("setting", 3),
@@ -15,7 +17,7 @@ SHARING_NAMES = frozenset(
 )  # fmt: skip
 """Relations of the stages: an ontology may have a furniture/1 beside the scene's furniture/7."""
 
-SYSTEM_RELATIONS = SHARING_NAMES | {("goal", 1), ("human", 1), ("robot", 1), ("prior", 2)}
+SYSTEM_RELATIONS = SHARING_NAMES | {("goal", 1), ("human", 1), ("robot", 1), ("prior", 2), *SAYS}
 """Every relation that is asked for by name."""
 
 SECTIONS = (

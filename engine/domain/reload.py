@@ -39,7 +39,7 @@ def reloaded(domain: Domain) -> Domain:
     """
     if not domain.fingerprint or current_fingerprint(domain) == domain.fingerprint:
         return domain
-    return Domain.load(domain.folder)
+    return Domain.load(domain.folder, domain.kb.language)
 
 
 def current_fingerprint(domain: Domain) -> str:

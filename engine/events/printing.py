@@ -7,6 +7,8 @@ from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
+from casper.engine.events.telling import PLAIN, Telling
+from casper.kb.reasons.says import SILENT, Words
 from casper.kb.text.lines import Line, Role, Span, bar, line
 
 Data: TypeAlias = Mapping[str, Any]
@@ -19,10 +21,16 @@ MOST_GOALS = 30  # shown with their shares
 
 @dataclass(frozen=True, slots=True)
 class Names:
-    """What the two agents are called."""
+    """What the two agents are called, and the author's words."""
 
     partner: str = "the partner"
     robot: str = "the robot"
+    words: Words = SILENT  # in which goals, statements and steps are told
+
+    @property
+    def tell(self) -> Telling:
+        """What tells them."""
+        return Telling(self.words, self.partner)
 
 
 NAMES = Names()
@@ -77,11 +85,18 @@ def movement_lines(t: float, movement: str, focus: Data) -> Iterator[Line]:
 
 def verdict_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
     """What was believed to happen, and whether it can have."""
+    tell = names.tell
     if data["valid"]:
-        so = [] if data["completed"] == data["statement"] else [Span(f" (so {data['completed']})", "faint")]
-        yield _at(t, Span(f"✔ {data['statement']}", "good"), *so)
+        so = tell.phrase("so", tell.statement(data["completed"]))
+        yield _at(
+            t,
+            Span(f"✔ {tell.statement(data['statement'])}", "good"),
+            *([] if data["completed"] == data["statement"] else [Span(f" ({so})", "faint")]),
+        )
         return
-    yield _at(t, Span(f"✘ {data['statement']}", "bad"), " ", Span("is thrown out", "faint"))
+    denied = tell.denied(data["statement"])
+    out: list[str | Span] = [] if denied else [" ", Span(tell.phrase("refused"), "faint")]
+    yield _at(t, Span(f"✘ {denied or tell.statement(data['statement'])}", "bad"), *out)
     for reason in data["reasons"]:
         yield _under(Span(reason, "bad"))
 
@@ -101,12 +116,18 @@ def reading_lines(data: Data, told: Container[str] = ()) -> Iterator[Line]:
 
 def prediction_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
     """The goal that the mind commits to."""
+    tell = names.tell
     seen = f"{data['observed']} action{'s' if data['observed'] != 1 else ''} seen, {data['missed']} missed"
-    yield _at(t, Span(f"★ the goal is {data['goal']}", "outcome"), f" ({seen})")
+    if names.words.is_foreign:
+        seen = tell.phrase("seen", data["observed"], data["missed"])
+    yield _at(t, Span(f"★ {tell.phrase('goal', tell.goal(data['goal']))}", "outcome"), f" ({seen})")
 
 
-def plan_lines(agent: str, waiting: Sequence[str], actions: Sequence[str]) -> Iterator[Line]:
+def plan_lines(agent: str, waiting: Sequence[str], actions: Sequence[str], tell: Telling = PLAIN) -> Iterator[Line]:
     """What an agent will do, and what it waits for."""
+    if tell.is_used:
+        yield from _plan_in_words(agent, waiting, actions, tell)
+        return
     will = ", then ".join(actions)
     if not will:
         yield line(Span(agent, "strong"), " can do nothing of what is left")
@@ -117,18 +138,40 @@ def plan_lines(agent: str, waiting: Sequence[str], actions: Sequence[str]) -> It
         yield line(Span(agent, "strong"), f"'s turn: {will}")
 
 
+def _plan_in_words(agent: str, waiting: Sequence[str], actions: Sequence[str], tell: Telling) -> Iterator[Line]:
+    name = Span(tell.name(agent), "strong")
+    will = tell.phrase("then").join(tell.step(action, agent) for action in actions)
+    if not will:
+        yield line(*_around(tell.phrase("nothing", "{0}"), name))
+    elif waiting:
+        yield line(*_around(tell.phrase("waits", "{0}", ", ".join(map(tell.theirs, waiting))), name))
+        yield line(tell.phrase("and then", will))
+    else:
+        yield line(*_around(tell.phrase("turn", "{0}", will), name))
+
+
+def _around(phrase: str, name: Span) -> tuple[str, Span, str]:
+    """A phrase with a span in it."""
+    before, _, after = phrase.partition("{0}")
+    return before, name, after
+
+
 def withdrawn_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
     """What the robot had announced and will not do."""
-    yield _at(t, Span(f"✗ {data.get('agent', names.robot)} withdraws its part in {data['goal']}", "warning"))
+    tell = names.tell
+    told = tell.phrase("withdraws", tell.name(data.get("agent", names.robot)), tell.goal(data["goal"]))
+    yield _at(t, Span(f"✗ {told}", "warning"))
     yield _under(Span(data["because"], "faint"))
 
 
 def episode_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
     """How what a partner did for one goal ended."""
-    goal, seen = data["goal"] or "what nobody could tell", f"{data['observed']} seen, {data['missed']} missed"
+    tell = names.tell
+    goal = tell.goal(data["goal"]) if data["goal"] else tell.phrase("nobody knows")
+    seen = tell.phrase("seen", data["observed"], data["missed"])
     mark = {"finished": Span("● ", "good"), "abandoned": Span("○ ", "warning"), "unclear": Span("○ ", "faint")}
     span = Span(f" ({data['from']:.1f} to {data['to']:.1f} s; {seen})", "faint")
-    yield _at(t, mark[data["outcome"]], Span(f"{goal} is {data['outcome']}", "strong"), span)
+    yield _at(t, mark[data["outcome"]], Span(tell.phrase(data["outcome"], goal), "strong"), span)
 
 
 def summary_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
@@ -139,7 +182,8 @@ def summary_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
         yield _under(f"{row['agent']}: ", Span(row["goal"] or "?", "strong"), f" {row['outcome']} at {row['to']:.1f} s")
     if data.get("goal") is not None and data["robot"]["actions"]:
         done = Span("finished", "good") if data["robot"]["done"] else Span("not finished", "bad")
-        yield _under(f"{names.robot}'s part ({', '.join(data['robot']['actions'])}) is ", done)
+        part = ", ".join(names.tell.step(action, names.robot) for action in data["robot"]["actions"])
+        yield _under(f"{names.tell.name(names.robot)}'s part ({part}) is ", done)
 
 
 def _wanted_lines(t: float, data: Data, names: Names) -> Iterator[Line]:
@@ -159,9 +203,14 @@ def _wanted_lines(t: float, data: Data, names: Names) -> Iterator[Line]:
 
 def robot_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
     """What the robot was asked to do, did, or failed to do."""
-    mark = {"asked": Span("▷"), "done": Span("✔", "good"), "failed": Span("✘", "bad")}[data["status"]]
+    marks = {"asked": Span("▷"), "done": Span("✔", "good"), "failed": Span("✘", "bad"), "stopped": Span("○", "warning")}
+    tell, mark = names.tell, marks[data["status"]]
     why = f": {data['reason']}" if data.get("reason") else ""
-    yield _at(t, mark, f" {names.robot} {data['status']} {data['action']}{why}")
+    told = f"{names.robot} {data['status']} {data['action']}"
+    if tell.is_used:
+        step = tell.step(data["action"], names.robot)
+        told = tell.phrase(f"robot {data['status']}", tell.name(names.robot), step)
+    yield _at(t, mark, f" {told}{why}")
 
 
 def _focus(t: float, data: Data, names: Names) -> Iterator[Line]:
@@ -182,7 +231,7 @@ def _reading(t: float, data: Data, names: Names) -> Iterator[Line]:
 
 
 def _plan(t: float, data: Data, names: Names) -> Iterator[Line]:
-    first, *rest = plan_lines(data["agent"], data["waiting"], data["actions"])
+    first, *rest = plan_lines(data["agent"], data["waiting"], data["actions"], names.tell)
     yield _at(t, *first)
     yield from (_under(*spans) for spans in rest)
 

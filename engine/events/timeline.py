@@ -7,6 +7,7 @@ from typing import Any
 
 from casper.engine.events.event import Event
 from casper.engine.events.printing import Names, movement_lines, opening_lines, reading_lines
+from casper.kb.reasons.says import SILENT, Words
 from casper.kb.text.lines import Line, Span
 
 
@@ -16,8 +17,8 @@ class Timeline:
     Where several partners are watched, every line begins with the name of the one it is about.
     """
 
-    def __init__(self, partner: str, robot: str) -> None:
-        self.names = Names(partner, robot)
+    def __init__(self, partner: str, robot: str, words: Words = SILENT) -> None:
+        self.names = Names(partner, robot, words)
         self._told: dict[str, _Told] = {}  # by partner
 
     def open(self, domain: str, seed: int) -> Iterator[Line]:

@@ -158,7 +158,9 @@ class Course:
             for oldest in self.helped[:-MOST_HELPED]:
                 yield from self._close(oldest, UNCLEAR, t)
             return
-        yield from before.supervisor.withdraw(t, f"{self.partner} went over to {observation}: {because}")
+        tell = before.reading.tell
+        told = tell.phrase("went over", tell.name(self.partner), tell.step(str(observation)), because)
+        yield from before.supervisor.withdraw(t, told)
         yield from self._close(before, before.outcome, t, before.last)
 
     def _close(self, episode: Underway, outcome: str, t: float, to: float | None = None) -> Iterator[Event]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Protocol
 
 from casper.engine.events.printing import shares_table
+from casper.engine.events.telling import Telling
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.reading.questions import Question
 from casper.kb.terms.syntax import term_text
@@ -46,6 +47,10 @@ class Reads(Protocol):
     def unknown(self) -> Mapping[int, object]:
         """Observations that no plan has, by number from 0, and why."""
 
+    @property
+    def tell(self) -> Telling:
+        """What tells goals and steps in the author's words."""
+
     def best(self, count: int, /) -> list[Explanation | Interleaved]:
         """The best few explanations."""
 
@@ -70,10 +75,14 @@ def reading_lines(reading: Reads, top: int = 3, asked: int = 0) -> Iterator[Line
     yield line("outcome: ", Span(reading.outcome, "outcome") if reading.outcome else "undecided")
     for explanation in best[:top]:
         yield from explanation.lines(reading.observations)
+    tell = reading.tell
     if best and best[0].frontier:
-        yield line(f"yet to come: {', '.join(term_text(as_term(action)) for action in best[0].frontier)}")
+        steps = (tell.step(term_text(as_term(action))) for action in best[0].frontier)
+        yield line(tell.phrase("yet to come", ", ".join(steps)))
     for question in reading.questions()[:asked] if asked else ():
-        yield line(f"ask: {question} ", Span(f"({question.gain:.2f} bits, yes {question.yes:.2f})", "faint"))
+        yield line(
+            f"{tell.phrase('ask', question)} ", Span(f"({question.gain:.2f} bits, yes {question.yes:.2f})", "faint")
+        )
 
 
 def reading_name(reading: Reads) -> str:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from math import log2
 from typing import Any, Literal, TypeAlias
 
+from casper.engine.events.telling import Telling
 from casper.engine.reading.outlook import Outlook, shown
 from casper.engine.verification.matching import Binding
 
@@ -28,14 +29,25 @@ class Question:
     about: str
     yes: float
     gain: float
+    told: str = field(default="", compare=False, repr=False)  # in the author's words, where there are any
 
     def __str__(self) -> str:
-        return ASKED[self.kind].format(self.about)
+        return self.told or ASKED[self.kind].format(self.about)
 
     def to_json(self) -> dict[str, Any]:
         """``{"question", "kind", "about", "yes", "gain"}``."""
         return {"question": str(self), "kind": self.kind, "about": self.about, "yes": self.yes, "gain": self.gain}
 
+
+_ASKED_IN_WORDS = {"goal": "is goal", "done": "was done", "step": "will be done", "next": "is next"}
+
+
+def in_words(question: Question, tell: Telling) -> Question:
+    """The question with what it is about told by its author; the same where nobody worded that."""
+    said = tell.goal(question.about) if question.kind == "goal" else tell.step(question.about)
+    if said == question.about and not tell.words.is_foreign:
+        return question
+    return replace(question, told=tell.phrase(_ASKED_IN_WORDS[question.kind], said))
 
 
 def questions(outlook: Outlook) -> list[Question]:

@@ -1,9 +1,9 @@
 """A reading: what the partner's actions so far say about their goal, and why.
 
-    >>> reading = Domain.load("kitchen").reading()
-    >>> reading.observe("pick_and_place(meal, hobs)")
-    >>> reading.outcome, reading.confidence
-    ('lunch', 1.0)
+>>> reading = Domain.load("kitchen").reading()
+>>> reading.observe("pick_and_place(meal, hobs)")
+>>> reading.outcome, reading.confidence
+('lunch', 1.0)
 """
 
 from __future__ import annotations
@@ -15,18 +15,20 @@ from itertools import islice
 from typing import Any
 
 from casper.engine.collaboration.collaboration import Capability, CollaborativePlan, collaborative_plan
+from casper.engine.events.telling import PLAIN, Telling
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.explanation.situation import Situation
 from casper.engine.reading.outlook import Outlook
 from casper.engine.reading.policy import Policy, strict
 from casper.engine.reading.printing import reading_lines, reading_name
-from casper.engine.reading.questions import Question, questions
+from casper.engine.reading.questions import Question, in_words, questions
 from casper.engine.recognition.choice import recogniser
 from casper.engine.recognition.options import PAPER, Options
 from casper.engine.verification.matching import NOBODY, Agents, Matcher, NameMatcher, Recipe
 from casper.engine.verification.observation import Observed, Seen, at_time, options_of, seen_of
 from casper.engine.verification.vocabulary import Foreign, Vocabulary
 from casper.kb.errors import CasperError
+from casper.kb.reasons.says import SILENT, Words
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.lines import Line, text_of
@@ -112,6 +114,13 @@ class Reading:
         leaves = [leaf for plan in self.library.ways for leaf in plan.leaves]
         return Vocabulary(dict.fromkeys(leaves), isinstance(self._unused, NameMatcher))
 
+    words: Words = SILENT  # in which steps and questions are told
+
+    @property
+    def tell(self) -> Telling:
+        """What tells goals and steps in the author's words."""
+        return Telling(self.words, self.agents.partner or PLAIN.partner)
+
     def fork(self) -> Reading:
         """A reading that goes its own way from here: "what if the next is …". What was counted so far is shared."""
         other = object.__new__(type(self))
@@ -125,7 +134,15 @@ class Reading:
         So it says what the knowledge base says there and then; what was counted is never sent.
         """
         recipe: Recipe | Matcher = getattr(self._unused, "recipe", self._unused)
-        return _resumed, (self.library, recipe, self.policy, self._capability, self.options, self.observations)
+        return _resumed, (
+            self.library,
+            recipe,
+            self.policy,
+            self._capability,
+            self.options,
+            self.observations,
+            self.words,
+        )
 
     def undo(self) -> None:
         """Take back the last observation.
@@ -265,7 +282,8 @@ class Reading:
 
     def questions(self) -> list[Question]:
         """What to find out, most telling first: is it this goal, is this step still to come, is this the next one?"""
-        return questions(self._outlook) if self.observations else []
+        found = questions(self._outlook) if self.observations else []
+        return [in_words(question, self.tell) for question in found] if self.tell.is_used else found
 
     @property
     def _outlook(self) -> Outlook:
@@ -340,10 +358,12 @@ def _resumed(
     capability: Capability,
     options: Options,
     observations: Sequence[Seen],
+    words: Words,
 ) -> Reading:
     """A reading in which everything is observed again."""
     matcher = recipe[0](library.ways, *recipe[1:]) if isinstance(recipe, tuple) else recipe
     reading = Reading(library, matcher, policy, capability, options)
+    reading.words = words
     for seen in observations:
         reading.observe(seen)
     return reading

@@ -1,7 +1,7 @@
 """All that is wrong with a text of facts, rules and constraints, not only the first thing.
 
-    >>> [str(finding) for finding in check_text("human(ann). greets(X) :- humn(X).", "home.pl")]
-    ['home.pl:1: error: nothing defines humn/1; did you mean human?']
+>>> [str(finding) for finding in check_text("human(ann). greets(X) :- humn(X).", "home.pl")]
+['home.pl:1: error: nothing defines humn/1; did you mean human?']
 """
 
 from __future__ import annotations
@@ -22,9 +22,11 @@ from casper.kb.checks.names import (
     undefined_names,
 )
 from casper.kb.checks.needs import needs_graph, negative_circles, unneeded
+from casper.kb.checks.says import wrong_says
 from casper.kb.errors import CasperError, Place, ProgramError
 from casper.kb.program.control import plain_clauses
 from casper.kb.program.declarations import declaration
+from casper.kb.reasons.says import SAYS
 from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Sentence
 from casper.kb.text.recovery import read_tolerantly
@@ -89,7 +91,8 @@ def check_sentences(sentences: Sequence[Sentence], context: Context = _ALONE) ->
     findings.extend(single_variables(sentences))
     findings.extend(arity_clashes(clauses, context.exempt))
     findings.extend(duplicates(sentences))
-    findings.extend(unneeded(plain, context.asked))
+    findings.extend(wrong_says(sentences, known, context.half_read))
+    findings.extend(unneeded(plain, {*context.asked, *SAYS} if context.asked else ()))
     sound = [c for c in clauses if c not in faulty]
     impossible = [f for c in sound for f in contradictions(c)]
     findings.extend(impossible)

@@ -11,10 +11,12 @@ from casper.kb.program.control import is_control
 from casper.kb.program.listing import is_range_restricted
 from casper.kb.program.program import analyse
 from casper.kb.program.refusals import undefined_sentence
+from casper.kb.reasons.says import is_say, parts_of
 from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import SYSTEM, Clause, Directive, Indicator, Production, Sentence, is_auxiliary
 from casper.kb.terms.control import CONTROL
 from casper.kb.terms.terms import Compound, Term, Variable
+from casper.kb.terms.unification import variables_of
 from casper.kb.text.writer import literal_text
 
 _PROLOG = {
@@ -103,7 +105,7 @@ def arity_clashes(clauses: Iterable[Clause], exempt: Collection[Indicator]) -> I
     table: dict[str, dict[int, list[Clause]]] = defaultdict(dict)
     for clause in clauses:
         name, arity = clause.head.indicator
-        if clause.head.indicator not in exempt and name != "never":
+        if clause.head.indicator not in exempt and name != "never" and not is_say(clause):
             table[name].setdefault(arity, []).append(clause)
     for name, arities in table.items():
         if len(arities) > 1 and not _are_related(name, arities):
@@ -127,6 +129,9 @@ def _occurrences(sentence: Clause | Production) -> Iterator[Variable]:
         waiting: list[Term] = [sentence.head, sentence.body]
     else:
         waiting = [sentence.head, *(literal.atom for literal in sentence.body)]
+        if is_say(sentence):  # what stands in the sentence of a say stands there a second time
+            named = set(parts_of(str(sentence.head[-1]))[1::2])
+            yield from (v for v in variables_of(sentence.head) if v.name in named)
     waiting.reverse()
     while waiting:
         term = waiting.pop()

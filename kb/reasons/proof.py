@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Hashable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from casper.kb.reasons.outline import Entry, Numbers, Outline, numbered, outline, premises_first
+from casper.kb.reasons.says import SILENT, Words
+from casper.kb.reasons.wording import holding_sentence
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
@@ -37,6 +39,7 @@ class Proof:
     clause: Clause | None = None
     premises: tuple[Proof, ...] = ()
     remark: str = ""
+    words: Words = SILENT  # in which the whole is told; of the root only
 
     @property
     def fact(self) -> Compound:
@@ -66,7 +69,7 @@ class Proof:
         A last line, ``… 9,870 more steps``, says how much is left out.
         """
         told = self._outline(most_steps, most_steps if deepest is None else deepest)
-        return "\n".join([*_lines(told), *filter(None, [told.closing])])
+        return "\n".join([*_lines(told, self.words), *filter(None, [told.closing])])
 
     def __str__(self) -> str:
         return self.text()
@@ -125,7 +128,7 @@ class Proof:
         steps = list(self.premises_first())
         numbers = {id(proof): number for number, proof in enumerate(steps)}
         rows = [(p.literal, p.clause, tuple(numbers[id(x)] for x in p.premises), p.remark) for p in steps]
-        return _of_steps, (rows,)
+        return _of_steps, (rows, self.words)
 
     def _outline(self, most: int, deepest: int) -> Outline[Proof]:
         return outline(self, self._numbers(), most, deepest)
@@ -134,12 +137,12 @@ class Proof:
         return numbered(self, _content, {} if known is None else known)
 
 
-def _of_steps(rows: list[tuple[Literal, Clause | None, tuple[int, ...], str]]) -> Proof:
+def _of_steps(rows: list[tuple[Literal, Clause | None, tuple[int, ...], str]], words: Words = SILENT) -> Proof:
     """A proof of its steps, premises first."""
     steps: list[Proof] = []
     for literal, clause, premises, remark in rows:
         steps.append(Proof(literal, clause, tuple(steps[number] for number in premises), remark))
-    return steps[-1]
+    return replace(steps[-1], words=words) if words else steps[-1]
 
 
 def _content(proof: Proof) -> Hashable:
@@ -171,27 +174,28 @@ def _object(entry: Entry[Proof]) -> dict[str, Any]:
     return {**shown, "because": []}
 
 
-def _lines(told: Outline[Proof]) -> Iterator[str]:
+def _lines(told: Outline[Proof], words: Words) -> Iterator[str]:
     bars: list[str] = []  # by depth, what stands before the lines below the last entry there
     for entry in told.entries:
         del bars[max(entry.depth - 1, 0) :]
         if entry.depth == 0:
-            yield _line(entry)
+            yield _line(entry, words)
             continue
         left = max(len(bars) - MOST_BARS, 0)
         before = (f"{left} more … " if left else "") + "".join(bars[left:])
-        yield before + ("└─ " if entry.last else "├─ ") + _line(entry)
+        yield before + ("└─ " if entry.last else "├─ ") + _line(entry, words)
         bars.append("   " if entry.last else "│  ")
 
 
-def _line(entry: Entry[Proof]) -> str:
+def _line(entry: Entry[Proof], words: Words) -> str:
     proof = entry.node
+    text = holding_sentence(proof.literal, words) or _text(proof)
     if entry.above:
-        return f"{_text(proof)}   as above, [{entry.label}]"
+        return f"{text}   as above, [{entry.label}]"
     notes = {"fact": "given", "rule": "", "test": "compared", "absence": "not known", "check": proof.remark}
     label, cut = str(entry.label or ""), "…" if entry.cut else ""
     parts = (label, notes[_kind(proof)], _place(proof), _citation(proof), cut)
-    return _text(proof) + "".join(f"   [{part}]" for part in parts if part)
+    return text + "".join(f"   [{part}]" for part in parts if part)
 
 
 def _text(proof: Proof) -> str:

@@ -15,6 +15,7 @@ from casper.kb.errors import BudgetExceeded, Undefined
 from casper.kb.program.listing import is_range_restricted
 from casper.kb.program.program import Program
 from casper.kb.reasons.printing import verdict_lines
+from casper.kb.reasons.says import SILENT, Words
 from casper.kb.reasons.why_not import Refusal, Violation
 from casper.kb.relations.relation import Relation
 from casper.kb.terms.clauses import SITUATION, SYSTEM, Clause, Indicator, Literal
@@ -45,6 +46,7 @@ class Verdict:
     completed: Compound
     refusal: Refusal | None = None
     remark: str = ""
+    words: Words = field(default=SILENT, compare=False, repr=False)  # in which it is told
 
     @property
     def reasons(self) -> tuple[str, ...]:
@@ -55,7 +57,7 @@ class Verdict:
 
     def lines(self) -> Iterator[Line]:
         """What a person is shown."""
-        return verdict_lines(self.statement, self.valid, self.completed, self.reasons)
+        return verdict_lines(self.statement, self.valid, self.completed, self.reasons, self.words)
 
     def __str__(self) -> str:
         return text_of(self.lines())

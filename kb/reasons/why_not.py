@@ -7,10 +7,11 @@ that leaves the fewest conditions unsatisfied.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from casper.kb.errors import BudgetExceeded, ProgramError
 from casper.kb.reasons.counting import told
+from casper.kb.reasons.says import SILENT, Words
 from casper.kb.reasons.wording import failure_sentence
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.comparison import compare
@@ -59,23 +60,32 @@ class Refusal:
     undefined: str = ""
     provable: bool = False  # then only the violations stand against it
     doubt: str = ""  # why the statement is undefined, rather than false
+    words: Words = field(default=SILENT, compare=False, repr=False)  # in which it is told
 
     @property
     def reasons(self) -> tuple[str, ...]:
         """The sentences: failed conditions of the nearest clauses first, then broken constraints."""
         sentences = [sentence for sentence in (self.undefined, self.doubt) if sentence]
         if self.doubt:
-            return (*sentences, *map(str, self.violations))
+            return (*sentences, *map(self._broken, self.violations))
         fewest = min((len(a.failed) for a in self.attempts if a.failed), default=0)
         for attempt in self.attempts:
             if len(attempt.failed) == fewest:
-                sentences.extend(failure_sentence(literal) for literal in attempt.failed)
-        sentences.extend(map(str, self.violations))
+                sentences.extend(failure_sentence(literal, self.words) for literal in attempt.failed)
+        sentences.extend(map(self._broken, self.violations))
         if not sentences and self.attempts:
             sentences.append("the search for a reason stopped at its budget: which condition fails is unknown")
         if not sentences:
-            sentences.append(f"no fact or rule gives {term_text(as_term(self.statement))}")
+            sentences.append(self._nothing_gives())
         return tuple(dict.fromkeys(sentences))
+
+    def _broken(self, violation: Violation) -> str:
+        return str(replace(violation, sentence=self.words.constraint(violation.sentence)))
+
+    def _nothing_gives(self) -> str:
+        """That there is nothing to go by: what the author says of what does not hold, if anything."""
+        said = self.words.sentence(self.statement, denied=True) if self.words else None
+        return said or self.words.phrase("nothing gives", term_text(as_term(self.statement)))
 
     def __str__(self) -> str:
         return "\n".join(self.reasons)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from casper.kb.reasons.says import SILENT, Words
 from casper.kb.terms.clauses import Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Variable, as_term
@@ -18,11 +19,15 @@ _ADJECTIVES = frozenset(  # without one
 )
 
 
-def failure_sentence(literal: Literal) -> str:
-    """Why the (instantiated) condition does not hold: ``tiago is not a human``."""
+def failure_sentence(literal: Literal, words: Words = SILENT) -> str:
+    """Why the (instantiated) condition does not hold: ``tiago is not a human``, or what its author says of that."""
     atom = literal.atom
     if literal.remark:
         return literal.remark
+    if words and literal.shown is None:
+        said = words.sentence(_shown(atom), denied=not literal.negated)
+        if said is not None:
+            return said
     if literal.shown is not None:
         shown = term_text(literal.shown)
         return f"{shown} {'holds' if literal.negated else 'does not hold'}"
@@ -34,6 +39,13 @@ def failure_sentence(literal: Literal) -> str:
         return f"nothing is {noun_phrase(atom.functor)}"
     text = term_text(as_term(_shown(atom)))
     return f"{text} {'holds' if literal.negated else 'does not hold'}"
+
+
+def holding_sentence(literal: Literal, words: Words) -> str | None:
+    """What the author says of an (instantiated) condition that holds; None where nothing is said of it."""
+    if not words or literal.shown is not None:
+        return None
+    return words.sentence(_shown(literal.atom), denied=literal.negated)
 
 
 def noun_phrase(name: str) -> str:

@@ -7,6 +7,7 @@ from functools import lru_cache
 from typing import Any, Self, TypeVar
 
 from casper.kb.errors import ProgramError
+from casper.kb.reasons.says import SAYS, Words, words_of
 from casper.kb.relations.relation import Row
 from casper.kb.store.computed import own_predicates
 from casper.kb.store.known import MOST_INDEXED, NOTHING, Statement
@@ -86,6 +87,28 @@ class ClauseStore(Versioned):
             self._validated = {}
 
     @property
+    def language(self) -> str:
+        """The language in which reasons are told, as far as ``say/3`` has sentences in it; empty: as ``say/2`` has."""
+        return self._stated.language
+
+    @language.setter
+    def language(self, language: str) -> None:
+        with self._changing():
+            self._stated.language = language
+            self.changes += 1  # reasons that were kept are told anew
+
+    @property
+    def words(self) -> Words:
+        """The author's sentences, in the language of the base."""
+        made = self._worded
+        if made is None or made[0] != (self.changes, self.language):
+            clauses = [clause for indicator in SAYS for clause in self.clauses_of(indicator)]
+            made = self._worded = ((self.changes, self.language), words_of(clauses, self.language))
+        return made[1]
+
+    _worded: tuple[tuple[int, str], Words] | None = None
+
+    @property
     def declared(self) -> Sequence[Indicator]:
         """The predicates that are action statements, in the order in which they were named."""
         return tuple(self._stated.statements)
@@ -103,6 +126,26 @@ class ClauseStore(Versioned):
         """Every clause, in the author's order, then the facts that were loaded in bulk."""
         with self.lock:
             return self._stated.everything()
+
+    def unmentioned(self, names: Iterable[str]) -> set[str]:
+        """Those of the names that stand nowhere in what was stated, as an argument."""
+        missing = set(names)
+        with self.lock:
+            for name in self._stated.names():
+                missing.discard(name)
+                if not missing:
+                    break
+        return missing
+
+    def names(self, most: int) -> set[str]:
+        """The constants that are names; of more than ``most`` some of them."""
+        found: set[str] = set()
+        with self.lock:
+            for name in self._stated.names():
+                found.add(name)
+                if len(found) >= most:
+                    break
+        return found
 
     def to_text(self) -> str:
         """The clauses as text that reads in as the same model."""

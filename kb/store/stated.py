@@ -8,10 +8,11 @@ from typing import TypeAlias
 
 from casper.kb.errors import ProgramError
 from casper.kb.program.declarations import Moded, declaration, tabled
+from casper.kb.reasons.says import is_say
 from casper.kb.relations.relation import Row
 from casper.kb.terms.clauses import Clause, Directive, Indicator, Sentence
 from casper.kb.terms.origins import FactBlock, Origin, clause_behind
-from casper.kb.terms.terms import Compound
+from casper.kb.terms.terms import Compound, Term
 
 Bulk: TypeAlias = dict[Indicator, dict[Row, Origin]]
 
@@ -31,11 +32,12 @@ class Stated:
     stored: set[Indicator] = field(default_factory=set)
     statements: dict[Indicator, None] = field(default_factory=dict)
     shared: set[Indicator] = field(default_factory=set)
+    language: str = ""  # in which reasons are told, where somebody worded them
 
     def copied(self) -> Stated:
         """The same, to go its own way."""
         own = dict(self.clauses), set(self.dynamic), dict(self.bulk), dict(self.least), set(self.stored)
-        return Stated(*own, dict(self.statements), set(self.bulk))
+        return Stated(*own, dict(self.statements), set(self.bulk), self.language)
 
     def add(self, sentence: Sentence) -> None:
         """Add a clause or a declaration.
@@ -78,6 +80,24 @@ class Stated:
         loaded = (fact_of(i, row, behind) for i, rows in self.bulk.items() for row, behind in rows.items())
         return (*self.clauses, *loaded)
 
+    def names(self) -> Iterator[str]:
+        """Every constant that is a name, wherever one stands as an argument, as often as it does."""
+        waiting: list[Term] = []
+        for clause in self.clauses:
+            if clause.is_constraint or is_say(clause):  # which have sentences
+                continue
+            for atom in (clause.head, *(literal.atom for literal in clause.body)):
+                waiting.extend(atom.args)
+            while waiting:
+                term = waiting.pop()
+                if isinstance(term, str):
+                    yield term
+                elif isinstance(term, Compound):
+                    waiting.extend(term.args)
+        for rows in self.bulk.values():
+            for row in rows:
+                yield from (value for value in row if isinstance(value, str))
+
     def sentences(self) -> Iterator[Sentence]:
         """Everything as a text has it: what is declared, then the clauses."""
         for kind, found in (("dynamic", self.dynamic), ("stored", self.stored)):
@@ -94,7 +114,8 @@ class Stated:
     def packed(self) -> Stated:
         """The same as it travels to other processes: rows with their clauses instead of the text they stand in."""
         bulk: Bulk = {i: {r: _kept(i, r, origin) for r, origin in rows.items()} for i, rows in self.bulk.items()}
-        return Stated(self.clauses, self.dynamic, bulk, self.least, self.stored, self.statements)
+        kept = self.clauses, self.dynamic, bulk, self.least, self.stored, self.statements
+        return Stated(*kept, language=self.language)
 
     def __len__(self) -> int:
         return len(self.clauses) + sum(map(len, self.bulk.values()))

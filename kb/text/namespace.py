@@ -18,6 +18,7 @@ from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 
 SEPARATOR = ":"
 _ABOUT = (("claim", 1), ("did", 2), ("valid", 1))  # their first argument is a statement
+_SAYS = (("say", 2), ("say", 3))  # the last but one is what is worded (`kb.reasons.says`)
 _COUNTED = (("aggregate_all", 3), ("findall", 3))  # their second argument is a goal
 
 
@@ -96,10 +97,21 @@ def _defined(sentences: Sequence[Sentence]) -> frozenset[Indicator]:
 
 
 def _clause(clause: Clause, space: _Space) -> Clause:
+    if clause.head.indicator in _SAYS and isinstance(clause.head[-1], str):
+        return Clause(_worded(clause.head, space), clause.body, clause.place)
     about = (x.atom[1] for x in clause.body if x.atom.indicator in _ABOUT)
     statements = {statement for statement in about if isinstance(statement, Variable)}
     body = tuple(Literal(_condition(x, space, statements), x.negated, x.place) for x in clause.body)
     return Clause(_named(clause.head, space), body, clause.place)
+
+
+def _worded(head: Compound, space: _Space) -> Compound:
+    """The sentence of a term of the text: its predicates have the prefix, its things have not."""
+    term = head[-2]
+    if isinstance(term, Compound) and term.indicator in _DENIALS:
+        return Compound((*head[:-2], Compound((term[0], _statement(term[1], space))), head[-1]))
+    named = _statement(term, space) if isinstance(term, Compound) else term
+    return Compound((*head[:-2], named, head[-1]))
 
 
 def _condition(literal: Literal, space: _Space, statements: Collection[Variable]) -> Compound:

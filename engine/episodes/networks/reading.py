@@ -21,6 +21,7 @@ from casper.engine.verification.matching import Agents
 from casper.engine.verification.observation import Seen
 from casper.engine.verification.vocabulary import Vocabulary
 from casper.kb.errors import CasperError
+from casper.kb.reasons.says import Words
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.plans.library import PlanLibrary
@@ -73,7 +74,7 @@ class GrownReading(Reading):
     def __reduce__(self) -> tuple[Any, ...]:
         """By what it was made of and what was observed, which is observed again where it arrives."""
         made = self.library, self._fresh, self.policy, self._capability, self.options
-        return _resumed, (*made, self.observations)
+        return _resumed, (*made, self.observations, self.words)
 
     def plan_for(self, agent: str, explanation: Explanation | Interleaved | None = None) -> CollaborativePlan | None:
         """What the agent can do for the goal of the best explanation; None when there is none to help with."""
@@ -145,9 +146,11 @@ def _resumed(
     capability: Capability,
     options: Options,
     observations: Sequence[Seen],
+    words: Words,
 ) -> GrownReading:
     """A reading in which everything is observed again."""
     reading = GrownReading(library, networks, policy, capability, options)
+    reading.words = words
     for seen in observations:
         reading.observe(seen)
     return reading

@@ -150,7 +150,7 @@ def _journal_of(file: Path) -> Path:
 
 
 def _digest(domain: Domain) -> str:
-    text = f"{domain.kb.to_text()}\n{domain.library.to_text()}\n{domain.verifies}"
+    text = f"{domain.kb.to_text()}\n{domain.library.to_text()}\n{domain.verifies}{domain.kb.language}"
     return sha256(text.encode("utf-8", "surrogateescape")).hexdigest()
 
 

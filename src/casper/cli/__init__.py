@@ -1,8 +1,5 @@
 """The command line. Every command takes ``--json`` (but ``repl``, ``batch`` and ``serve``): one JSON
-object a line, nothing else on the output.
-
-Exit codes: 0 done, 1 some statement is not valid (verify), there is no answer (query), or the domain has errors
-(check), 2 a mistake, told in one sentence on standard error.
+object a line, nothing else on the output. Its exit codes are in `cli.terminal.codes`.
 """
 
 from __future__ import annotations
@@ -22,9 +19,12 @@ from casper.cli.asking.repl import repl
 from casper.cli.asking.serve import serve
 from casper.cli.asking.verify import verify
 from casper.cli.authoring.check import check
+from casper.cli.authoring.doctor import doctor
 from casper.cli.authoring.import_ import import_
 from casper.cli.authoring.train import train
-from casper.cli.terminal.plain import settle_streams, visible
+from casper.cli.terminal.codes import epilog
+from casper.cli.terminal.plain import settle_streams
+from casper.cli.terminal.showing import complain
 from casper.cli.watching.batch import batch
 from casper.cli.watching.run import run
 from casper.cli.watching.watch import watch
@@ -34,11 +34,12 @@ _NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 app = typer.Typer(
     name="casper",
-    add_completion=False,
+    add_completion=True,
     pretty_exceptions_enable=False,
+    epilog=epilog(),
     rich_markup_mode=None,  # plain help: nothing is cut off in a narrow terminal, and no text is taken for markup
 )
-for command in (run, explain, verify, query, repl, serve, batch, watch, check, train, import_):
+for command in (run, explain, verify, query, repl, serve, batch, watch, check, train, import_, doctor):
     name = command.__name__.rstrip("_")
     # a sentence in whole, not its beginning
     app.command(name, short_help=(command.__doc__ or "").split("\n")[0])(command)
@@ -66,7 +67,7 @@ def main() -> None:
         finally:
             sys.stdout.flush()
     except CasperError as mistake:
-        print(f"casper: {visible(str(mistake))}", file=sys.stderr)
+        complain(str(mistake))
         sys.exit(2)
     except (SystemExit, OSError) as end:
         _end_of_output(end)

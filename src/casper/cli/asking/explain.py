@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Language, Noise, PolicyName, Quiet, Unverified
 from casper.kb.errors import CasperError
 
 
@@ -33,9 +33,12 @@ def explain(
             help="Goal after goal, several at once, or given up at this price: an explanation is a row of episodes.",
         ),
     ] = None,
+    language: Language = None,
+    quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> None:
     """Explain observed actions: after each one, the goals, the best explanations, and why the others are out."""
+    from casper.cli.terminal.hints import hint
     from casper.cli.terminal.output import console, print_json
     from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
@@ -43,7 +46,7 @@ def explain(
     if changes is not None:
         if picture is not None or questions:
             raise CasperError("--changes explains by rows of episodes: leave --picture and --questions out")
-        day = Domain.load(domain).day(abandon=changes, needless=noise, verification=not no_verification)
+        day = Domain.load(domain, language).day(abandon=changes, needless=noise, verification=not no_verification)
         for action in actions:
             day.observe(action)
             if as_json:
@@ -55,7 +58,8 @@ def explain(
         from casper.engine.explanation.pictures import check_picture
 
         check_picture(picture)
-    reading = Domain.load(domain).reading(policy, verification=not no_verification, noise=noise, goals=goals)
+    loaded = Domain.load(domain, language)
+    reading = loaded.reading(policy, verification=not no_verification, noise=noise, goals=goals)
     for action in actions:
         reading.observe(action)
         if as_json:
@@ -63,6 +67,8 @@ def explain(
             print_json({**reading.to_json(top), **asked})
         else:
             show(console(), reading.lines(top, questions))
+    if not reading.count and not no_verification:
+        hint(loaded, actions, quiet)
     if picture is not None:
         from casper.engine.explanation.pictures import save_picture
 

@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from casper.cli.terminal.options import DomainName
+from casper.cli.terminal.options import DomainName, Language
 
 if TYPE_CHECKING:
     from casper.cli.asking.session import Session
@@ -18,7 +18,7 @@ _PROMPT = "?- "
 _DELIMITERS = " \t\n(),;\\+=<>[]|"
 
 
-def repl(domain: DomainName) -> None:
+def repl(domain: DomainName, language: Language = None) -> None:
     """Talk with a domain: queries, why, why not, repair, observe, explain, listing; :help says how.
 
     In a terminal there are a history and completion (Tab). Lines that come through a pipe are answered likewise.
@@ -27,7 +27,7 @@ def repl(domain: DomainName) -> None:
     from casper.cli.terminal.showing import say
     from casper.engine.domain.domain import Domain
 
-    session = Session(Domain.load(domain))
+    session = Session(Domain.load(domain, language))
     terminal = sys.stdin.isatty()
     if terminal:
         say(session.out, f"{session.domain.name}: ask, or :help, or :quit")

@@ -6,6 +6,8 @@ from typing import Annotated
 
 import typer
 
+from casper.cli.terminal.options import Language
+
 Domain = Annotated[str | None, typer.Argument(help="A shipped domain or the folder of one.", metavar="DOMAIN")]
 
 
@@ -16,6 +18,7 @@ def serve(
         float, typer.Option("--limit", min=0.001, metavar="SECONDS", help="How long a question may take.")
     ] = 60.0,
     longest: Annotated[int, typer.Option("--line", min=100, metavar="BYTES", help="How long a line may be.")] = 1 << 24,
+    language: Language = None,
 ) -> None:
     """Answer requests, one JSON object a line, until the input ends.
 
@@ -37,7 +40,7 @@ def serve(
     from casper.engine.domain.domain import Domain
     from casper.server.serving import Server
 
-    server = Server(Domain.load(domain), seconds, longest)
+    server = Server(Domain.load(domain, language), seconds, longest)
     sink = sys.stdout.buffer
     with redirect_stdout(sys.stderr):  # whatever is printed on the way must not stand among the answers
         server.serve(sys.stdin.buffer, sink)

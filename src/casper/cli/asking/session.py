@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from casper.cli.terminal.hints import hints
 from casper.cli.terminal.output import console
 from casper.cli.terminal.showing import say, show
 from casper.engine.domain.domain import Domain
@@ -40,6 +41,7 @@ class Session:
         self.out = console()
         self._reading: Reading | None = None
         self._more: Iterator[str] | None = None
+        self._asked = ""  # whose answers go on
         self._commands: dict[str, Callable[[str], None]] = {
             "why not": self._why_not,
             "why": self._why,
@@ -89,7 +91,7 @@ class Session:
         if line.startswith(":"):
             self._say(f"there is no command {line}; :help lists them")
             return
-        self._more = self._answers(line)
+        self._more, self._asked = self._answers(line), line
         self._next_page("")
 
     # --- questions -------------------------------------------------------------------------------------------------
@@ -112,6 +114,12 @@ class Session:
             self._say("…   ; shows more")
         elif shown == 0:
             self._say("no")
+            self._hint(self._asked)
+
+    def _hint(self, question: str) -> None:
+        """Names in the question that the domain has nowhere."""
+        for sentence in hints(self.domain, [question]):
+            self._say(sentence)
 
     def _why(self, statement: str) -> None:
         proof = self.domain.kb.why(statement)
@@ -120,6 +128,8 @@ class Session:
     def _why_not(self, statement: str) -> None:
         refusal = self.domain.kb.why_not(statement)
         self._say("it holds and breaks no constraint" if refusal is None else str(refusal))
+        if refusal is not None:
+            self._hint(statement)
 
     def _repair(self, statement: str) -> None:
         kb = self.domain.kb

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.terminal.options import AsJson, DomainName
+from casper.cli.terminal.options import AsJson, DomainName, Language, Quiet
 
 if TYPE_CHECKING:
     from casper.kb.base import KnowledgeBase
@@ -16,15 +16,18 @@ if TYPE_CHECKING:
 def verify(
     domain: DomainName,
     statements: Annotated[list[str], typer.Argument(help='Such as "eat(human, biscuits, plate)"; _ is unknown.')],
+    language: Language = None,
+    quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> None:
     """Judge statements, each with its proof, or with the reasons against it and what would mend it."""
+    from casper.cli.terminal.hints import hint
     from casper.cli.terminal.output import print_json
     from casper.engine.domain.domain import Domain
     from casper.kb.errors import DomainError
     from casper.server.answers import verdict_json
 
-    loaded = Domain.load(domain)
+    loaded = Domain.load(domain, language)
     if not loaded.verifies:
         raise DomainError(f"the domain {loaded.name} has no ontology.pl, so it verifies nothing; write one")
     all_valid = True
@@ -35,6 +38,8 @@ def verify(
             print_json(verdict_json(loaded.kb, text, verdict))
         else:
             _show(verdict, loaded.kb)
+    if not all_valid:
+        hint(loaded, statements, quiet)
     raise typer.Exit(0 if all_valid else 1)
 
 

@@ -8,22 +8,24 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from casper.cli.terminal.options import AsJson, DomainName
+from casper.cli.terminal.options import AsJson, DomainName, Quiet
 
 if TYPE_CHECKING:
     from casper.kb.checks.finding import Finding
 
 
-def check(domain: DomainName, as_json: AsJson = False) -> None:
+def check(domain: DomainName, quiet: Quiet = False, as_json: AsJson = False) -> None:
     """Find mistakes in a domain: undefined names, rules that give nothing, plans nobody can do, and the like.
 
     Exit code 0 without errors (there may be warnings and notes), 1 with errors, 2 when there is no such domain.
     """
+    from casper.cli.terminal.progress import progress
     from casper.engine.domain.check import check_domain
     from casper.engine.domain.domain import SHIPPED, find_domain
     from casper.kb.checks.finding import Severity
 
-    findings = check_domain(domain)
+    with progress("checking", None, quiet):
+        findings = check_domain(domain)
     show_findings(findings, (find_domain(domain), SHIPPED), as_json)
     raise typer.Exit(1 if any(f.severity is Severity.ERROR for f in findings) else 0)
 

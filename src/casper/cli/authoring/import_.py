@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Protocol
 
 import typer
 
-from casper.cli.terminal.options import AsJson
+from casper.cli.terminal.options import AsJson, Quiet
 
 if TYPE_CHECKING:
     from casper.kb.checks.finding import Finding
@@ -29,6 +29,7 @@ def import_(
     agent: Annotated[str | None, typer.Option(help="PDDL: the type of those who act (else anybody may).")] = None,
     partner: Annotated[str | None, typer.Option(help="PDDL: who is watched.")] = None,
     robot: Annotated[str | None, typer.Option(help="PDDL: who helps.")] = None,
+    quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> None:
     """Turn ontologies (.owl .rdf .ttl .nt .owx .ofn) or planning (.pddl .hddl) into a folder of readable text.
@@ -38,6 +39,7 @@ def import_(
     """
     from casper.cli.authoring.check import show_findings
     from casper.cli.terminal.output import console
+    from casper.cli.terminal.progress import progress
     from casper.cli.terminal.showing import say
     from casper.kb.checks.finding import Severity
     from casper.kb.errors import DomainError
@@ -47,9 +49,10 @@ def import_(
         raise DomainError("there is nothing to import: give one or more files, and then the folder for the text")
     if folder.suffix and not folder.is_dir() and folder.is_file():
         raise DomainError(f"{folder} is a file; the last argument is the folder for the text")
-    findings = _imported(sources, agent, partner, robot).write(folder, replace=replace)
+    with progress("importing", None, quiet):
+        findings = _imported(sources, agent, partner, robot).write(folder, replace=replace)
     show_findings(findings, [source.resolve().parent for source in sources], as_json)
-    if not as_json:
+    if not as_json and not quiet:
         say(console(), f"written to {folder}")
     raise typer.Exit(1 if any(f.severity is Severity.ERROR for f in findings) else 0)
 

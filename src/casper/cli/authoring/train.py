@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.terminal.options import AsJson, DomainName
+from casper.cli.terminal.options import AsJson, DomainName, Quiet
 
 if TYPE_CHECKING:
     from casper.engine.movements.tree import Evaluation
@@ -26,6 +26,7 @@ def train(
     output: Annotated[
         Path | None, typer.Option(help="Where to write; movements.pl of the domain, and prices on the screen.")
     ] = None,
+    quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> None:
     """Learn which movement it is from qualitative relations, judged by leaving one trial out.
@@ -35,10 +36,11 @@ def train(
     far as it is known; the goal of an action that serves none is null.
     """
     if plans:
-        _train_prices(domain, plans, output, as_json)
+        _train_prices(domain, plans, output, quiet, as_json)
         return
     from casper.cli.terminal.extras import needs
     from casper.cli.terminal.output import print_json
+    from casper.cli.terminal.progress import progress
     from casper.engine.domain.domain import Domain
 
     needs("sklearn", "train")
@@ -53,7 +55,11 @@ def train(
     if (reason := unwritable(file)) is not None:
         raise _unwritten(file, reason)
     check_learning(leaves, seed)
-    samples = list(training_samples(loaded, trials, seed))
+    samples = []
+    with progress("trials", trials, quiet) as at:
+        for sample in training_samples(loaded, trials, seed):
+            samples.append(sample)
+            at(sample.trial)
     evaluation = leave_one_trial_out(samples, leaves, seed)
     try:
         file.write_text(compile_tree(fit(samples, leaves, seed), evaluation), encoding="utf-8")
@@ -75,16 +81,18 @@ def train(
         _show(evaluation, len(samples), trials, file)
 
 
-def _train_prices(domain: str, files: list[Path], output: Path | None, as_json: bool) -> None:
+def _train_prices(domain: str, files: list[Path], output: Path | None, quiet: bool, as_json: bool) -> None:
     from dataclasses import asdict
 
     from casper.cli.terminal.output import console, print_json
+    from casper.cli.terminal.progress import progress
     from casper.cli.terminal.showing import say
     from casper.engine.domain.domain import Domain
     from casper.engine.episodes.training import learn, read_day
 
     loaded = Domain.load(domain)
-    learned = learn(lambda prices: loaded.day(**asdict(prices)), [read_day(file) for file in files], loaded.prices)
+    with progress("reading the days", None, quiet):
+        learned = learn(lambda prices: loaded.day(**asdict(prices)), [read_day(file) for file in files], loaded.prices)
     if output is not None:
         try:
             output.write_text(learned.to_text(), encoding="utf-8")

@@ -6,13 +6,35 @@ from typing import Annotated
 
 import typer
 
-DomainName = Annotated[str, typer.Argument(help="A shipped domain (kitchen) or the folder of one.", metavar="DOMAIN")]
+
+def _domains(incomplete: str) -> list[str]:
+    """The shipped domains, and the folders that hold one, for completion in a shell."""
+    from casper.cli.terminal.completing import domains
+
+    return domains(incomplete)
+
+
+def _policies(incomplete: str) -> list[str]:
+    return [name for name in ("strict", "best") if name.startswith(incomplete)]
+
+
+DomainName = Annotated[
+    str,
+    typer.Argument(help="A shipped domain (kitchen) or the folder of one.", metavar="DOMAIN", autocompletion=_domains),
+]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object a line.")]
 Unverified = Annotated[bool, typer.Option("--no-verification", help="Never ask the knowledge base about observations.")]
-PolicyName = Annotated[str, typer.Option("--policy", help="When to commit to a goal: strict or best.")]
+PolicyName = Annotated[
+    str, typer.Option("--policy", help="When to commit to a goal: strict or best.", autocompletion=_policies)
+]
 Noise = Annotated[
     float | None,
     typer.Option("--noise", metavar="PRICE", help="Allow needless actions: the factor each one multiplies a score by."),
 ]
 Goals = Annotated[int, typer.Option("--goals", metavar="N", help="How many goals may be pursued at once.")]
 Stops = Annotated[bool, typer.Option("--stop", help="Stop at an action that fits no plan, instead of leaving it out.")]
+Language = Annotated[
+    str | None,
+    typer.Option("--language", metavar="L", help="Tell reasons in this language, as far as the domain words them: fr."),
+]
+Quiet = Annotated[bool, typer.Option("--quiet", help="Print results only: no progress, no hints, of run the summary.")]

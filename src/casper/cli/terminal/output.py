@@ -10,8 +10,8 @@ from rich.console import Console
 
 
 def console() -> Console:
-    """The terminal; plain text when it is none. Texts go to it through `showing`, never as markup."""
-    return Console(highlight=False, soft_wrap=True, emoji=False, markup=False)
+    """The terminal; plain text, in lines as long as they are, when it is none. Texts go to it through `showing`."""
+    return Console(highlight=False, soft_wrap=not sys.stdout.isatty(), emoji=False, markup=False)
 
 
 def print_json(data: dict[str, Any]) -> None:
@@ -22,4 +22,3 @@ def print_json(data: dict[str, Any]) -> None:
     except UnicodeEncodeError:
         line = json.dumps(data)
     print(line, flush=True)
-

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
-from casper.cli.terminal.options import DomainName, Goals, Noise, PolicyName, Unverified
+from casper.cli.terminal.options import DomainName, Goals, Language, Noise, PolicyName, Unverified
 from casper.kb.errors import CasperError
 
 PLAIN = {"policy": "strict", "verification": True, "noise": None, "goals": 1}
@@ -34,6 +34,7 @@ def batch(
     no_verification: Unverified = False,
     noise: Noise = None,
     goals: Goals = 1,
+    language: Language = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:
     """Explain, verify or watch every row of a table; a run that was interrupted goes on where it was.
@@ -41,6 +42,7 @@ def batch(
     A row that cannot be worked on is kept, with its mistake. Exit code 1 when there was one.
     """
     from casper.batch.many import run
+    from casper.engine.domain.domain import Domain
 
     options: dict[str, Any] = {"policy": policy, "verification": not no_verification, "noise": noise, "goals": goals}
     if what is What.verify:
@@ -48,7 +50,8 @@ def batch(
             raise CasperError("--policy, --noise, --goals and --no-verification are about readings, not about verify")
         options = {}
     shown = not quiet and sys.stderr.isatty()
-    found = run(what.value, domain, table, options, jobs=jobs, cluster=cluster, out=out, progress=shown)
+    spoken = Domain.load(domain, language) if language else domain
+    found = run(what.value, spoken, table, options, jobs=jobs, cluster=cluster, out=out, progress=shown)
     mistakes = [row for row in found if row["mistake"]]
     if not quiet:
         print(f"{out}: {len(found)} rows, {len(mistakes)} with a mistake")

@@ -3,16 +3,25 @@
 from __future__ import annotations
 
 import math
+import sys
 import time
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Unverified
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Language, Noise, PolicyName, Quiet, Unverified
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
+
+
+def _goals(incomplete: str) -> list[str]:
+    """The goals of the domain that was typed before, for completion in a shell."""
+    from casper.cli.terminal.completing import goals, typed_domain
+
+    return goals(typed_domain("run"), incomplete)
+
 
 NAP = 3600.0  # seconds slept at once: no platform counts up to any float
 
@@ -21,7 +30,10 @@ def run(
     domain: DomainName,
     goal: Annotated[
         list[str] | None,
-        typer.Option(help="What the partner is after, one goal after the other; by default drawn from the seed."),
+        typer.Option(
+            help="What the partner is after, one goal after the other; by default drawn from the seed.",
+            autocompletion=_goals,
+        ),
     ] = None,
     seed: Annotated[int, typer.Option(help="Of the start, the partner's pace and the sensor's noise.")] = 0,
     no_verification: Unverified = False,
@@ -36,30 +48,34 @@ def run(
         bool, typer.Option("--changes-mind", help="The first goal is given up for the next after its first action.")
     ] = False,
     speed: Annotated[float, typer.Option(help="Simulated seconds a second; 0 is as fast as it goes.")] = 0.0,
+    language: Language = None,
+    quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> None:
     """Simulate a partner in the domain's room, read their goals, and do the robot's part."""
     from casper.cli.terminal.extras import needs
     from casper.cli.terminal.output import console, print_json
+    from casper.cli.terminal.progress import progress
     from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
     from casper.engine.events.timeline import Timeline
 
     _check_speed(speed)
-    loaded = Domain.load(domain)
+    loaded = Domain.load(domain, language)
     needs("mujoco", "sim")
     from casper.sim_adapter.trial import Trial, TrialSettings
 
     day = (",".join(goal) if goal else None, seed, not no_verification, not no_robot, policy, noise, goals)
     trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind))
-    out, timeline = console(), Timeline(loaded.partner, loaded.robot)
-    if not as_json:
+    out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
+    if not as_json and not quiet:
         show(out, timeline.open(loaded.name, seed))
-    for event in _paced(trial.events(), speed):
-        if as_json:
-            print_json(event.to_json())
-        else:
-            show(out, timeline.lines(event))
+    with progress("simulating", None, quiet or sys.stdout.isatty()):
+        for event in _paced(trial.events(), speed):
+            if as_json:
+                print_json(event.to_json())
+            elif not quiet or event.type == "summary":
+                show(out, timeline.lines(event))
 
 
 def _check_speed(speed: float) -> None:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, TextIO
 
 import typer
 
-from casper.cli.terminal.options import AsJson, DomainName, Goals, Noise, PolicyName, Stops, Unverified
+from casper.cli.terminal.options import AsJson, DomainName, Goals, Language, Noise, PolicyName, Stops, Unverified
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
@@ -31,6 +31,7 @@ def watch(
     goals: Goals = 1,
     stop: Stops = False,
     reload: Annotated[bool, typer.Option("--reload", help="Read the domain anew when its files change.")] = False,
+    language: Language = None,
     as_json: AsJson = False,
 ) -> None:
     """Watch partners through world states on standard input; a bad line is reported and left out."""
@@ -40,9 +41,9 @@ def watch(
     from casper.engine.events.timeline import Timeline
     from casper.engine.live import Partners
 
-    loaded = Domain.load(domain)
+    loaded = Domain.load(domain, language)
     minds = Partners(loaded, verification=not no_verification, policy=policy, noise=noise, goals=goals, stops=stop)
-    out, timeline = console(), Timeline(loaded.partner, loaded.robot)
+    out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
     for event in watched(minds, _lines(sys.stdin), reload):
         if as_json:
             print_json(event.to_json())
