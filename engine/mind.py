@@ -128,8 +128,15 @@ class Mind:
         events = [event.about(self.partner) for event in (_focus_event(focus), _movement_event(movement))]
         prediction = self.actions.update(movement)
         if prediction is not None:
-            events += [event.about(self.partner) for event in self._consider(prediction, focus)]
+            places = self._places(focus, world)
+            events += [event.about(self.partner) for event in self._consider(prediction, focus, places)]
         return events
+
+    def _places(self, focus: Focus, world: WorldState) -> Sequence[str | None]:
+        """Where what happens may happen, likeliest first: on what lies on something else rather than on that."""
+        if not self.focus.settings.steady:
+            return (focus.destination,)
+        return sorted(focus.attended, key=lambda name: -_height(world, name))
 
     def did(self, action: Compound, t: float) -> list[Event]:
         """The robot has done an action of its part (without the agent): it happened, and its episode may be over."""
@@ -175,12 +182,22 @@ class Mind:
     def __repr__(self) -> str:
         return one_line(f"Mind that watches {self.partner} in {self.domain.name}: {self.reading!r}")
 
-    def _consider(self, prediction: Prediction, focus: Focus) -> Iterator[Event]:
+    def _stated(self, prediction: Prediction, focus: Focus, places: Sequence[str | None]) -> Statement | None:
+        """What seems to have happened, put into context: at the first place where it is valid, or at the first."""
+        stated = []
+        for place in places:
+            action = contextualise(prediction.action, place, self.contexts)
+            if action is not None and focus.target is not None:
+                stated.append(Statement(prediction.t, self.partner, action, focus.target, place))
+        if len(stated) > 1 and self.verifier is not None:
+            return next((s for s in stated if self.verifier.judge(s).valid), stated[0])
+        return stated[0] if stated else None
+
+    def _consider(self, prediction: Prediction, focus: Focus, places: Sequence[str | None]) -> Iterator[Event]:
         """An action seems to have happened: put it into context, verify it, and pass it on to the reading."""
-        action = contextualise(prediction.action, focus.destination, self.contexts)
-        if action is None or focus.target is None:
+        statement = self._stated(prediction, focus, places)
+        if statement is None:
             return  # not yet known what it means; the prediction stands, and the next step may tell
-        statement = Statement(prediction.t, self.partner, action, focus.target, focus.destination)
         if str(statement) == self._refused:
             return
         yield Event("action", prediction.t, {"statement": str(statement), "score": prediction.score})
@@ -194,7 +211,7 @@ class Mind:
             self._earlier = tuple(statement for statement, _ in self.verifier.looked_at)
             observation = self.verifier.accept(verdict, prediction.t)
         else:
-            observation = Observation(action)
+            observation = Observation(statement.action)
         self._refused = None
         self.actions.accept()
         yield from self._read(observation, prediction.t)
@@ -213,6 +230,12 @@ class Mind:
             self._lost = lost
             room = f"setting(verification, remembered, {self.history.most}) leaves no room for it"
             yield Event("warning", t, {"message": f"did/2 no longer has {term_text(as_term(lost))}: {room}"})
+
+
+def _height(world: WorldState, name: str) -> float:
+    """How high a thing is, metres."""
+    known = world.objects.get(name)
+    return 0.0 if known is None or known.z is None else known.z
 
 
 def _focus_event(focus: Focus) -> Event:

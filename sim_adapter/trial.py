@@ -18,7 +18,7 @@ from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
 from casper.sim_adapter.helping import Helper
 from casper.sim_adapter.partner import Partner, check_bodies, goals_of_a_day
-from casper.sim_adapter.room.scene import scene_from
+from casper.sim_adapter.room.facts import scene_of
 from casper.sim_adapter.script import ScriptedAction
 from casper.sim_adapter.simulation import Simulation
 
@@ -72,7 +72,7 @@ class Trial:
         chosen = self.settings
         check_seed(chosen.seed)
         goals = goals_of_a_day(self.domain, chosen.wanted, chosen.goals_in_a_row, chosen.changes_mind, chosen.seed)
-        scene = scene_from(self.domain.kb.rows)
+        scene = scene_of(self.domain)
         check_bodies(self.domain, scene)
         self.simulation = Simulation(scene, seed=chosen.seed)
         self.partner = Partner(self.domain, self.simulation, goals, chosen.changes_mind)

@@ -107,7 +107,7 @@ def find_domain(name: str | Path) -> Path:
     Raises:
         DomainError: there is none, or the folder holds no domain file.
     """
-    shipped = sorted(p.name for p in SHIPPED.iterdir() if p.is_dir() and any(is_there(p / f) for f in FILES))
+    shipped = shipped_domains()
     folder = Path(name)
     if str(name) in shipped and not os.path.isdir(folder):
         return SHIPPED / str(name)
@@ -118,6 +118,11 @@ def find_domain(name: str | Path) -> Path:
             return SHIPPED / str(name)
         raise DomainError(f"the folder {name} holds no domain: it needs {ONTOLOGY} or plans.pl")
     return real(folder)
+
+
+def shipped_domains() -> list[str]:
+    """The names of the domains that come with the package, without the texts that are there for them to include."""
+    return sorted(p.name for p in SHIPPED.iterdir() if any(is_there(p / file) for file in FILES[:2]))
 
 
 def build(name: str, folder: Path, sentences: dict[str, list[Sentence]]) -> Domain:

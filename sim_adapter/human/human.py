@@ -26,6 +26,7 @@ class Human(Worker):
 
     Args:
         physics: the world it moves in.
+        name: whose body of the scene it is.
         navigator: ways for its body.
         start: x, y (metres), heading (radians).
         others: gives the discs of those to keep away from.
@@ -35,6 +36,7 @@ class Human(Worker):
     def __init__(
         self,
         physics: Physics,
+        name: str,
         navigator: Navigator,
         start: tuple[float, float, float],
         others: Callable[[], Sequence[Disc]],
@@ -42,9 +44,9 @@ class Human(Worker):
     ) -> None:
         self.physics = physics
         self.scene = physics.scene
-        self.name = self.scene.human
+        self.name = name
         self.settings = self.scene.human_settings
-        self.body = HumanBody(physics, start)
+        self.body = HumanBody(physics, name, start)
         self.hand = HumanHand(self.body)
         self.walk = HumanWalk(self.body, navigator, others)
         self.queue = StepQueue()
