@@ -7,6 +7,7 @@ It never ends: what a partner does is read episode after episode (`engine.readin
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
@@ -33,6 +34,8 @@ from casper.kb.reasons.validity import Verdict
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.lines import Line, Span, line, one_line, text_of
+
+TOGETHER = 0.15  # metres within which two things are in one place, as the eye has it
 
 
 class Mind:
@@ -133,10 +136,19 @@ class Mind:
         return events
 
     def _places(self, focus: Focus, world: WorldState) -> Sequence[str | None]:
-        """Where what happens may happen, likeliest first: on what lies on something else rather than on that."""
+        """Where what happens may happen, likeliest first: on what lies on something else rather than on that.
+
+        With a place that is attended to comes what is in the same place.
+        """
         if not self.focus.settings.steady:
             return (focus.destination,)
-        return sorted(focus.attended, key=lambda name: -_height(world, name))
+        there = [world.objects[name] for name in focus.attended if name in world.objects]
+        places = [
+            name
+            for name, thing in world.objects.items()
+            if name != focus.target and any(math.hypot(thing.x - at.x, thing.y - at.y) < TOGETHER for at in there)
+        ]
+        return sorted(places, key=lambda name: -_height(world, name))
 
     def did(self, action: Compound, t: float) -> list[Event]:
         """The robot has done an action of its part (without the agent): it happened, and its episode may be over."""

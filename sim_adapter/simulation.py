@@ -7,10 +7,9 @@ from functools import partial
 
 import numpy as np
 
-from casper.engine.perception.world import WorldState
+from casper.engine.perception.world import AgentState, ObjectState, WorldState
 from casper.engine.settings import check_seed
 from casper.kb.errors import DomainError
-from casper.sim_adapter.adapter import truth
 from casper.sim_adapter.eye.attention import Attention
 from casper.sim_adapter.eye.sensors import Sensor
 from casper.sim_adapter.eye.vantage import vantage
@@ -91,8 +90,12 @@ class Simulation:
         return self.sensor.observe(poses, self.robot.pose, self.robot.holding)
 
     def truth(self) -> WorldState:
-        """Everything as it is."""
-        return truth(self.physics, self.people.values(), self.robot)
+        """Everything as it is, without noise, and nothing hidden."""
+        people = self.people.values()
+        agents = {human.name: AgentState(human.x, human.y, human.heading, human.holding) for human in people}
+        agents[self.robot.name] = AgentState(*self.robot.pose, self.robot.holding)
+        objects = {name: ObjectState(*spot) for name, spot in self.physics.positions().items()}
+        return WorldState(self.physics.time, agents, objects)
 
     def rests_in(self, thing: str, place: str) -> bool:
         """Whether an object lies at a place (in it, on it, beside it), let go and at rest."""

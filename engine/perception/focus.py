@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -78,8 +78,8 @@ def focus_settings(rows: Rows) -> FocusSettings:
 class Focus:
     """Target and destination at one moment; ``scores`` by object add up to 1, or are all 0.
 
-    ``attended`` are the destinations that are looked at in this very step and have been for long enough: several where
-    one lies on the other.
+    ``attended`` are the destinations that are looked at in this very step and have been for long enough, or were last
+    where nothing but the target is looked at: several where one lies on the other.
     """
 
     t: float
@@ -108,6 +108,7 @@ class FocusEstimator:
         """Forget the target, the destination and the votes."""
         self.target: str | None = None
         self.destination: str | None = None
+        self._attended: tuple[str, ...] = ()
         self._targets: deque[Sequence[str]] = deque(maxlen=self.settings.target_window)
         self._destinations: deque[Sequence[str]] = deque(maxlen=self.settings.destination_window)
 
@@ -126,8 +127,18 @@ class FocusEstimator:
             self._destinations.append(now)
             needed = self.settings.destination_votes
             self.destination = _winner(self._destinations, needed, self.destination, self.target)
-            attended = tuple(name for name in now if sum(name in slot for slot in self._destinations) >= needed)
+            attended = self._looked_at(now)
         return Focus(relations.t, self.target, self.destination, scores, attended)
+
+    def _looked_at(self, now: Sequence[str]) -> tuple[str, ...]:
+        """The destinations with enough votes, if one of them is voted for in this step; as before where nothing is."""
+        votes = Counter(name for slot in self._destinations for name in slot)
+        elected = tuple(name for name, count in votes.items() if count >= self.settings.destination_votes)
+        if any(name in now for name in elected):
+            self._attended = elected
+        elif now:
+            return ()
+        return tuple(name for name in self._attended if name != self.target)
 
     def _scores(self, relations: Relations) -> dict[str, float]:
         """Equation focus, normalised."""

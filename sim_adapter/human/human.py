@@ -10,7 +10,7 @@ import numpy as np
 from casper.kb.errors import DomainError
 from casper.sim_adapter.human.body import HumanBody
 from casper.sim_adapter.human.hand import HumanHand
-from casper.sim_adapter.human.walk import HumanWalk
+from casper.sim_adapter.human.walk import REACHABLE, HumanWalk
 from casper.sim_adapter.physics.physics import Physics
 from casper.sim_adapter.room.geometry import Disc
 from casper.sim_adapter.room.navigation import Navigator
@@ -160,6 +160,8 @@ class Human(Worker):
         yield from self._until_free(target)
         there = math.dist(self.body.at(target), self.body.at(destination)) < AT_HAND
         yield from self.walk.go_to(destination if there else target)
+        if math.dist(self.place, self.body.at(target)) > REACHABLE:
+            yield from self.walk.go_to(target)
         yield from self._pause()
         for _ in range(round(self.settings.use_pairs)):
             yield from self._until_free(target)
