@@ -38,6 +38,7 @@ class Helper:
         self.domain, self.simulation = domain, simulation
         self.tasks: list[Task] = []  # asked for and not over yet, in the order in which the robot does them
         self.asked: list[Compound] = []  # all that was ever asked for and not withdrawn
+        self.finished: list[Compound] = []  # all that was done, in order
         self.is_good = True  # whether all of it was done and came to rest where it belongs, as far as it is over
         self._to_check: list[Compound] = []
         self._done = self._failed = 0
@@ -73,6 +74,7 @@ class Helper:
                 continue
             self.tasks.remove(task)
             self._to_check.append(task.action)
+            self.finished.append(task.action)
             yield self._told(t, task, "done")
             yield from task.mind.did(task.action, t)
 

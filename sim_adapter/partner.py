@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import random
-from collections.abc import Collection, Sequence
+from collections import deque
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 
 from casper.engine.domain.domain import Domain
-from casper.engine.settings import require
 from casper.kb.errors import DomainError
 from casper.kb.terms.terms import Compound
+from casper.sim_adapter.human.human import Human
 from casper.sim_adapter.room.scene import Scene
 from casper.sim_adapter.script import ScriptedAction, script_for
 from casper.sim_adapter.simulation import Simulation
+from casper.sim_adapter.steps import Step
 
 
 @dataclass
@@ -30,50 +31,18 @@ class Pursuit:
         return {name for s in self.script for name in (s.step.target, s.step.destination) if name is not None}
 
 
-def goals_of_a_day(
-    domain: Domain, wanted: Sequence[str], in_a_row: int | None, changes_mind: bool, seed: int
-) -> list[str]:
-    """The goals that the partner goes after: those asked for, the others drawn from the seed.
-
-    Args:
-        domain: whose goals.
-        wanted: labels of goals, in order; the first few, when more are asked for.
-        in_a_row: how many; None: as many as are wanted, at least one, and another one for a change of mind.
-        changes_mind: whether the first is given up for the second.
-        seed: of those that are drawn.
-
-    Raises:
-        DomainError: no such goal, none at all, fewer in a row than are wanted, or no other goal to change to.
-    """
-    known = list(domain.library.goals)
-    require(bool(known), f"the domain {domain.name} has no goals, so nobody can pursue one; write a plans.pl")
-    for goal in wanted:
-        require(goal in known, f"there is no goal {goal!r}: choose {', '.join(known)}")
-    least = 2 if changes_mind else 1
-    count = max(len(wanted), least) if in_a_row is None else in_a_row
-    require(count >= least, f"{count} goals in a row are too few: it takes {least} or more")
-    require(count >= len(wanted), f"{len(wanted)} goals are asked for, so it takes as many in a row, not {count}")
-    chosen, draw = list(wanted), random.Random(seed)
-    while len(chosen) < count:
-        others = [g for g in known if g != chosen[0]] if changes_mind and len(chosen) == 1 else known
-        require(bool(others), f"there is no goal but {chosen[0]} to change to" if chosen else "there is no goal")
-        chosen.append(draw.choice(others))
-    if changes_mind and chosen[0] == chosen[1]:
-        raise DomainError(f"a change of mind needs another goal: it is {chosen[0]} before and after")
-    return chosen
-
-
 def check_bodies(domain: Domain, scene: Scene) -> None:
     """See that those whom the domain watches and who helps have the scene's bodies.
 
     Raises:
         DomainError: one has none, with the place of the body that the scene has, and what to do.
     """
-    for role, name, body, kind in (
-        ("partner", domain.partner, scene.human, "person"),
-        ("robot", domain.robot, scene.robot, "mobile_manipulator"),
+    for role, name, bodies, kind in (
+        ("partner", domain.partner, scene.people, "person"),
+        ("robot", domain.robot, (scene.robot,), "mobile_manipulator"),
     ):
-        if name != body:
+        if name not in bodies:
+            body = bodies[0]
             place = next((c.place for c in domain.kb.clauses_of(("body", 2)) if c.head.args == (body, kind)), None)
             sentence = f"the {role} {name} has no body in the scene: state body({name}, {kind}) instead of"
             raise DomainError(f"{sentence} body({body}, {kind}), or setting(agents, {role}, {body})", place)
@@ -83,23 +52,38 @@ class Partner:
     """Carries out goals in the simulation.
 
     Between two goals everything the next one is about is put back where it was at the start (what was eaten is there
-    anew), and the partner waits until the robot needs none of it.
+    anew), and the partner waits until the robot needs none of it. A step that is somebody else's, by(robot, …) or
+    by(otto, …), they wait for, out of the way.
 
     Args:
         domain: whose plans.
         simulation: where.
         goals: labels, in order.
         changes_mind: the first goal is given up for the second after its first action; the world is as it was left.
+        name: who they are; None: the first of the people.
+        seed: of the way they take, where the plans allow several.
+        helped: whether there is a robot that helps; without one they stop before a step that only it could do.
 
     Raises:
         DomainError, PlanError: there is no such goal, or it cannot be acted out.
     """
 
     def __init__(
-        self, domain: Domain, simulation: Simulation, goals: Sequence[str], changes_mind: bool = False
+        self,
+        domain: Domain,
+        simulation: Simulation,
+        goals: Sequence[str],
+        changes_mind: bool = False,
+        *,
+        name: str | None = None,
+        seed: int = 0,
+        helped: bool = True,
     ) -> None:
         self.simulation = simulation
-        self.pursuits = [Pursuit(goal, script_for(domain, goal)) for goal in goals]
+        self.name = name or simulation.scene.human
+        self.human: Human = simulation.people[self.name]
+        self.helped = helped
+        self.pursuits = [Pursuit(goal, script_for(domain, goal, seed + at)) for at, goal in enumerate(goals)]
         if changes_mind:
             first = self.pursuits[0]
             first.script, first.given_up = first.script[:1], True
@@ -107,6 +91,9 @@ class Partner:
         self._consuming = set(domain.kb.rows("consumes", 1))
         self._at = -1
         self._seen = 0  # finished steps that were taken note of
+        self._rest: deque[ScriptedAction] = deque()  # from the next step on that is somebody else's
+        self._asked = False  # whether that somebody was asked
+        self._robot = simulation.scene.robot
 
     @property
     def now(self) -> Pursuit:
@@ -114,14 +101,20 @@ class Partner:
         return self.pursuits[max(self._at, 0)]
 
     @property
+    def finished(self) -> bool:
+        """Whether nothing of their own is left to be done for what they are after."""
+        own = any(self._is_own(scripted) for scripted in self._rest) and (self.helped or not self._waits_for_robot)
+        return self.human.idle and not own
+
+    @property
     def idle(self) -> bool:
         """Whether nothing of their own is left to be done."""
-        return self.simulation.human.idle and self._at == len(self.pursuits) - 1
+        return self.finished and self._at == len(self.pursuits) - 1
 
     @property
     def waits(self) -> bool:
         """Whether they are done with one goal and the next has not begun."""
-        return self.simulation.human.idle and not self.idle
+        return self.finished and not self.idle
 
     def begin(self) -> None:
         """Go after the next goal."""
@@ -131,7 +124,8 @@ class Partner:
             for thing in sorted(self.now.things):
                 if self.simulation.scene.thing(thing).movable:
                     self.simulation.put_back(thing)
-        self.simulation.human.do([scripted.step for scripted in self.now.script])
+        self._rest = deque(self.now.script)
+        self._go_on()
 
     def needs(self, things: Collection[str]) -> bool:
         """Whether the next goal is about one of the things."""
@@ -140,20 +134,63 @@ class Partner:
     def heed(self, announced: Collection[Compound]) -> None:
         """The robot has announced its part: what they have not begun of it is left to the robot."""
         offered = [scripted for scripted in self.now.script if scripted.action in announced]
-        dropped = self.simulation.human.leave([scripted.step for scripted in offered])
-        self.now.left += [scripted for scripted in offered if scripted.step in dropped]
+        dropped = self.human.leave([scripted.step for scripted in offered])
+        left = [s for s in offered if s.step in dropped or (s in self._rest and self._is_own(s))]
+        self._rest = deque(s for s in self._rest if s not in left)
+        self.now.left += left
 
     def take_back(self, announced: Collection[Compound]) -> None:
         """The robot does no more than that: they do the rest of what they had left to it."""
         again = [scripted for scripted in self.now.left if scripted.action not in announced]
         self.now.left = [scripted for scripted in self.now.left if scripted.action in announced]
-        self.simulation.human.do([scripted.step for scripted in again])
+        if self._rest:
+            self._rest += again
+        else:
+            self.human.do([scripted.step for scripted in again])
 
-    def notice(self, t: float) -> None:
-        """Take note of what they have finished; what was eaten up is gone (``consumes(Action)``)."""
-        finished = self.simulation.human.done[self._seen :]
+    def notice(self, t: float, robot_did: Iterable[Compound] = ()) -> None:
+        """Take note of what was finished; what was eaten up is gone (``consumes(Action)``).
+
+        Args:
+            t: when, in seconds.
+            robot_did: all that the robot has done so far.
+        """
+        finished = self.human.done[self._seen :]
         self._seen += len(finished)
-        for scripted in (s for s in self.now.script if s.step in finished):
+        for scripted in (s for s in self.now.script if s.step in finished and self._is_own(s)):
             self.last_action_done = t
             if (scripted.action.functor,) in self._consuming:
                 self.simulation.remove(scripted.step.target or "")
+        if self._rest and self._was_done(self._rest[0], robot_did):
+            self._rest.popleft()
+            self._asked = False
+            self._go_on()
+
+    # --- steps of others -------------------------------------------------------------------------------------------
+
+    def _is_own(self, scripted: ScriptedAction) -> bool:
+        return scripted.by in (None, self.name)
+
+    @property
+    def _waits_for_robot(self) -> bool:
+        return bool(self._rest) and self._rest[0].by == self._robot
+
+    def _go_on(self) -> None:
+        """Do all up to the next step of somebody else, then stand aside; where there are others, at the end, too."""
+        own = []
+        while self._rest and self._is_own(self._rest[0]):
+            own.append(self._rest.popleft().step)
+        aside = own and (self._rest or len(self.simulation.people) > 1)
+        self.human.do([*own, Step("stand_aside")] if aside else own)
+
+    def _was_done(self, scripted: ScriptedAction, robot_did: Iterable[Compound]) -> bool:
+        """Whether somebody else has done their step; a person is asked when its time has come."""
+        if scripted.by == self._robot:
+            return scripted.action in robot_did
+        other = self.simulation.people.get(scripted.by or "")
+        if other is None or not self.human.idle:
+            return False
+        if not self._asked:
+            self._asked = True
+            other.do([scripted.step])
+        return scripted.step in other.done

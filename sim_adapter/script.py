@@ -2,39 +2,59 @@
 
 from __future__ import annotations
 
+import random
 from dataclasses import dataclass
+from itertools import islice
 
 from casper.engine.domain.domain import Domain
-from casper.engine.verification.matching import Mismatch, bindings_of
+from casper.engine.verification.matching import ROBOT, Mismatch, bindings_of
 from casper.engine.verification.verified_matching import settle
 from casper.kb.errors import DomainError, PlanError
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound
+from casper.kb.terms.terms import Compound, Term
 from casper.kb.terms.unification import is_ground, substitute
 from casper.plans.library import GOAL
 from casper.plans.trees.plan import Plan
 from casper.plans.trees.spelling import spelled_out
 from casper.sim_adapter.steps import Step
 
+MOST_WAYS = 200  # to do something, of which one is drawn
+
 
 @dataclass(frozen=True, slots=True)
 class ScriptedAction:
-    """An action of a plan and the skill that carries it out."""
+    """An action of a plan, the skill that carries it out, and who does it (None: whoever pursues the goal)."""
 
     action: Compound
     step: Step
+    by: str | None = None
 
 
-def script_for(domain: Domain, goal: str) -> list[ScriptedAction]:
-    """The goal's first plan as the partner would do it, every action fully known.
+def script_for(domain: Domain, goal: str, seed: int = 0) -> list[ScriptedAction]:
+    """The goal's plan as the partner would do it, every action fully known.
+
+    Args:
+        domain: whose plans.
+        goal: the goal's label.
+        seed: where the plan allows several ways and orders, one of the first `MOST_WAYS` is drawn from it.
 
     Raises:
         DomainError: there is no such goal. PlanError: an action has unknown parts that the rules do not settle.
     """
-    plan = next((next(spelled_out(way)) for way in domain.library.ways if way.label == goal), None)
-    if plan is None:
+    ways = (spelled for way in domain.library.ways if way.label == goal for spelled in spelled_out(way))
+    plans = list(islice(ways, MOST_WAYS))
+    if not plans:
         raise DomainError(f"there is no goal {goal!r}: choose {', '.join(domain.library.goals)}")
-    return [ScriptedAction(action, step_for(domain, action)) for action in _grounded(domain, plan)]
+    plan = random.Random(seed).choice(plans)
+    doers = [_doer(domain, action.by) for action in plan.actions]
+    return [ScriptedAction(a, step_for(domain, a), by) for a, by in zip(_grounded(domain, plan), doers)]
+
+
+def _doer(domain: Domain, by: Term | None) -> str | None:
+    """Who does a step, where the plan names somebody; a variable is whoever pursues the goal."""
+    if not isinstance(by, str):
+        return None
+    return domain.robot if by == ROBOT else by
 
 
 def step_for(domain: Domain, action: Compound) -> Step:

@@ -1,27 +1,29 @@
-"""The simulation: physics, human, robot and the robot's eye on one clock."""
+"""The simulation: physics, people, the robot and the robot's eye on one clock."""
 
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
-from casper.engine.perception.world import WorldState
+from casper.engine.perception.world import AgentState, ObjectState, WorldState
 from casper.engine.settings import check_seed
 from casper.kb.errors import DomainError
-from casper.sim_adapter.adapter import truth
+from casper.sim_adapter.eye.attention import Attention
 from casper.sim_adapter.eye.sensors import Sensor
 from casper.sim_adapter.eye.vantage import vantage
 from casper.sim_adapter.human.human import Human
 from casper.sim_adapter.physics.physics import STILL_SPEED, Physics
 from casper.sim_adapter.robot.robot import Robot
-from casper.sim_adapter.room.geometry import Disc, floor_of
+from casper.sim_adapter.room.geometry import Disc, bearing, floor_of
 from casper.sim_adapter.room.navigation import Navigator
 from casper.sim_adapter.room.placement import is_placed
 from casper.sim_adapter.room.scene import Point, Scene
 
 APART = 0.1  # metres kept between two agents beside their radii
 HOME = 0.15  # metres from where it began within which an object is at its place
+MOST_TRIED = 10_000  # random places to start at
 GLANCE = 5  # control steps between two looks after the partner
 
 
@@ -30,8 +32,9 @@ class Simulation:
 
     Args:
         scene: what to build.
-        seed: a whole number from 0, of the start, the human's pauses and the sensor (three independent streams).
-        start: where the human starts, x, y and perhaps heading (radians); random when None.
+        seed: a whole number from 0, of the start, the human's pauses and the sensor (three independent streams), and of
+            the starts and the pauses of more people.
+        start: where the first human starts, x, y and perhaps heading (radians); random when None.
 
     Raises:
         DomainError: the start is not on the walkable floor, or the seed is none.
@@ -43,17 +46,27 @@ class Simulation:
         self.seed = seed
         self.physics = Physics(scene)
         floor = floor_of(scene)
-        streams = [np.random.default_rng([seed, stream]) for stream in range(3)]
+        streams = [np.random.default_rng([seed, stream]) for stream in range(1 + 2 * len(scene.people))]
         human_ways = Navigator(floor, scene.human_settings.radius)
         robot_ways = Navigator(floor, scene.robot_settings.radius)
-        robot_start = scene.starts[scene.robot]
-        began = self._start(human_ways, robot_start[:2], streams[0], start)
-        self.robot = Robot(self.physics, robot_ways, robot_start, self._human_discs)
-        self.human = Human(self.physics, human_ways, began, self._robot_discs, streams[1])
         self.sensor = Sensor(self.physics, streams[2])
+        robot_start = scene.starts.get(scene.robot) or self._post(robot_ways)
+        self.robot = Robot(self.physics, robot_ways, robot_start, lambda: self._discs(None))
+        self.people: dict[str, Human] = {}
+        for name, (whence, pauses) in zip(scene.people, ((0, 1), *((n, n + 1) for n in range(3, len(streams), 2)))):
+            given = start if start is not None and not self.people else scene.starts.get(name)
+            began = self._start(human_ways, robot_start[:2], streams[whence], given)
+            others = partial(self._discs, name)
+            self.people[name] = Human(self.physics, name, human_ways, began, others, streams[pauses])
         self.physics.refresh()
         self.robot.post = vantage(self.physics, self.sensor, robot_ways, robot_start[:2])
+        self._attention = Attention(self.sensor, self.robot.head, self.people)
         self._ticks = 0
+
+    @property
+    def human(self) -> Human:
+        """The first of the people."""
+        return self.people[self.scene.human]
 
     @property
     def time(self) -> float:
@@ -63,21 +76,26 @@ class Simulation:
     def advance(self, seconds: float) -> None:
         """Let the world run on (in whole control steps)."""
         for _ in range(round(seconds / self.scene.sim.control)):
-            if self._ticks % GLANCE == 0 and self.sensor.sees_person(self.human.place):
-                self.robot.head.notice(self.human.place)
-            self.human.tick()
+            if self._ticks % GLANCE == 0:
+                self._attention.update()
+            for human in self.people.values():
+                human.tick()
             self.robot.tick()
             self.physics.step()
             self._ticks += 1
 
     def observe(self) -> WorldState:
         """What the robot makes out at this moment (each call draws new noise)."""
-        pose = (self.human.x, self.human.y, self.human.heading)
-        return self.sensor.observe(pose, self.robot.pose, self.robot.holding)
+        poses = {name: (human.x, human.y, human.heading) for name, human in self.people.items()}
+        return self.sensor.observe(poses, self.robot.pose, self.robot.holding)
 
     def truth(self) -> WorldState:
-        """Everything as it is."""
-        return truth(self.physics, self.human, self.robot)
+        """Everything as it is, without noise, and nothing hidden."""
+        people = self.people.values()
+        agents = {human.name: AgentState(human.x, human.y, human.heading, human.holding) for human in people}
+        agents[self.robot.name] = AgentState(*self.robot.pose, self.robot.holding)
+        objects = {name: ObjectState(*spot) for name, spot in self.physics.positions().items()}
+        return WorldState(self.physics.time, agents, objects)
 
     def rests_in(self, thing: str, place: str) -> bool:
         """Whether an object lies at a place (in it, on it, beside it), let go and at rest."""
@@ -111,28 +129,38 @@ class Simulation:
         self.physics.put_back(thing)
         return True
 
-    def _robot_discs(self) -> list[Disc]:
-        x, y, _ = self.robot.pose
-        return [Disc(x, y, self._apart)]
-
-    def _human_discs(self) -> list[Disc]:
-        return [Disc(self.human.x, self.human.y, self._apart)]
+    def _discs(self, name: str | None) -> list[Disc]:
+        """What somebody keeps away from: the others. None is the robot."""
+        human, robot = self.scene.human_settings.radius, self.scene.robot_settings.radius
+        radius = robot if name is None else human
+        discs = [Disc(o.x, o.y, radius + human + APART) for o in self.people.values() if o.name != name]
+        if name is not None:
+            x, y, _ = self.robot.pose
+            discs.insert(0, Disc(x, y, radius + robot + APART))
+        return discs
 
     @property
     def _apart(self) -> float:
         return self.scene.human_settings.radius + self.scene.robot_settings.radius + APART
 
+    def _post(self, ways: Navigator) -> tuple[float, float, float]:
+        """Where the robot begins when nobody says so: where it sees most, facing the middle of the room."""
+        middle = self.scene.middle
+        place = vantage(self.physics, self.sensor, ways, middle)
+        return *place, bearing(place, middle)
+
     def _start(
-        self, ways: Navigator, robot: Point, rng: np.random.Generator, start: tuple[float, ...] | None
+        self, ways: Navigator, robot: Point, rng: np.random.Generator, given: tuple[float, ...] | None
     ) -> tuple[float, float, float]:
-        """Where the human begins: as asked, as the scene says, or anywhere on the floor away from the robot."""
-        given = start if start is not None else self.scene.starts.get(self.scene.human)
+        """Where somebody begins: as asked, as the scene says, or anywhere on the floor away from the others."""
         if given is not None:
             if not ways.free((given[0], given[1])):
                 raise DomainError(f"nobody can start at ({given[0]:g}, {given[1]:g}): it is not on the free floor")
             return given[0], given[1], given[2] if len(given) > 2 else float(rng.uniform(-math.pi, math.pi))
         xs, ys = zip(*self.scene.walkable)
-        while True:
+        others = [human.place for human in self.people.values()]
+        for _ in range(MOST_TRIED):
             x, y = float(rng.uniform(min(xs), max(xs))), float(rng.uniform(min(ys), max(ys)))
-            if ways.free((x, y)) and math.dist((x, y), robot) > 2 * self._apart:
+            if ways.free((x, y)) and all(math.dist((x, y), other) > 2 * self._apart for other in (robot, *others)):
                 return x, y, float(rng.uniform(-math.pi, math.pi))
+        raise DomainError("the floor has no room for everybody: make room_size(SizeX, SizeY) larger, or move furniture")

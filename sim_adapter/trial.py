@@ -1,5 +1,4 @@
-"""A trial of the paper's experiment (section V-E), or a whole day: a partner pursues goals, the mind watches, the robot
-helps.
+"""A trial of the paper's experiment (section V-E), or a whole day: partners pursue goals, minds watch, the robot helps.
 
     partner (script) -> physics -> sensor -> world state -> mind -> events -> robot (physics)
 """
@@ -12,17 +11,20 @@ from typing import Any
 
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
+from casper.engine.live.partners import Partners
 from casper.engine.mind import Mind
 from casper.engine.settings import check_seed
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
+from casper.sim_adapter.goals import goals_of_partners
 from casper.sim_adapter.helping import Helper
-from casper.sim_adapter.partner import Partner, check_bodies, goals_of_a_day
-from casper.sim_adapter.room.scene import scene_from
+from casper.sim_adapter.partner import Partner, check_bodies
+from casper.sim_adapter.room.facts import scene_of
 from casper.sim_adapter.script import ScriptedAction
 from casper.sim_adapter.simulation import Simulation
 
 LONGEST = 600.0  # simulated seconds a goal after which a trial is given up
+FIGURES = ("goal", "correct", "predicted", "prediction_time", "observed", "missed", "waiting", "planned")
 AFTERWARDS = 6.0  # simulated seconds watched after the partner is done, so that the last action can be recognised
 
 
@@ -30,8 +32,8 @@ AFTERWARDS = 6.0  # simulated seconds watched after the partner is done, so that
 class TrialSettings:
     """What a trial is about.
 
-    ``goal`` is a goal's label, or several with commas, pursued one after the other; what is not named is drawn from the
-    seed. ``goals_in_a_row`` is how many there are in all (None: as many as are named, at least one), ``goals``
+    ``goal`` is a goal's label, or several with commas, pursued one after the other, or dealt out in turn where there are
+    several partners; what is not named is drawn from the seed. ``goals_in_a_row`` is how many there are in all, of each partner (None: as many as are named, at least one), ``goals``
     how many the mind takes to be pursued at once. Who ``changes_mind`` gives the first up for the second after one
     action.
     """
@@ -64,20 +66,25 @@ class Trial:
     domain: Domain
     settings: TrialSettings
     simulation: Simulation = field(init=False)
-    mind: Mind = field(init=False)
-    partner: Partner = field(init=False)
+    minds: Partners = field(init=False)
+    partners: dict[str, Partner] = field(init=False)
     helper: Helper = field(init=False)
 
     def __post_init__(self) -> None:
         chosen = self.settings
         check_seed(chosen.seed)
-        goals = goals_of_a_day(self.domain, chosen.wanted, chosen.goals_in_a_row, chosen.changes_mind, chosen.seed)
-        scene = scene_from(self.domain.kb.rows)
+        scene = scene_of(self.domain)
         check_bodies(self.domain, scene)
+        day = (chosen.wanted, chosen.goals_in_a_row, chosen.changes_mind, chosen.seed)
+        goals = goals_of_partners(self.domain, scene, *day)
         self.simulation = Simulation(scene, seed=chosen.seed)
-        self.partner = Partner(self.domain, self.simulation, goals, chosen.changes_mind)
+        how: dict[str, Any] = {"seed": chosen.seed, "helped": chosen.robot}
+        self.partners = {
+            name: Partner(self.domain, self.simulation, theirs, chosen.changes_mind, name=name, **how)
+            for name, theirs in goals.items()
+        }
         self.helper = Helper(self.domain, self.simulation)
-        self.mind = Mind(
+        self.minds = Partners(
             self.domain,
             verification=chosen.verification,
             policy=chosen.policy,
@@ -85,6 +92,16 @@ class Trial:
             noise=chosen.noise,
             goals=chosen.goals,
         )
+
+    @property
+    def mind(self) -> Mind:
+        """The mind that watches the first partner."""
+        return self.minds.first
+
+    @property
+    def partner(self) -> Partner:
+        """The first partner."""
+        return self.partners[self.mind.partner]
 
     @property
     def goal(self) -> str:
@@ -98,61 +115,77 @@ class Trial:
 
     def events(self) -> Iterator[Event]:
         """Everything that happens, as it happens; the last event is the ``summary``."""
-        self.partner.begin()
+        for partner in self.partners.values():
+            partner.begin()
         period, idle_since = self.simulation.scene.sim.period, None
-        while self.simulation.time < LONGEST * len(self.partner.pursuits):
+        longest = LONGEST * max(len(partner.pursuits) for partner in self.partners.values())
+        while self.simulation.time < longest:
             self.simulation.advance(period)
             now = self.simulation.time
             yield from self._watched()
-            yield from self.helper.update([self.mind], now)
-            self.partner.notice(now)
-            self._go_on()
+            yield from self.helper.update(list(self.minds.minds.values()), now)
+            for partner in self.partners.values():
+                partner.notice(now, self.helper.finished)
+                self._go_on(partner)
             if not self._is_over():
                 idle_since = None
             elif idle_since is None:
                 idle_since = now
             elif now - idle_since >= AFTERWARDS:
                 break
-        yield from self.mind.end(self.simulation.time)
+        yield from self.minds.end(self.simulation.time)
         yield self._summary()
 
     def _watched(self) -> Iterator[Event]:
-        """One world state; the partner hears what the robot announces and withdraws."""
-        told = self.mind.update(self.simulation.observe())
+        """One world state; the partners hear what the robot announces and withdraws."""
+        told = self.minds.update(self.simulation.observe())
         yield from told
-        types = {event.type for event in told}
-        announced = set(self.mind.supervisor.actions)
-        if "plan" in types:
-            self.partner.heed(announced)
-        if "withdrawn" in types:
-            self.partner.take_back(announced)
+        for name, partner in self.partners.items():
+            types = {event.type for event in told if name in (event.data.get("partner"), event.data.get("agent"))}
+            mind = self.minds.minds.get(name)
+            if mind is None:  # not in view yet
+                continue
+            announced = set(mind.supervisor.actions)
+            if "plan" in types:
+                partner.heed(announced)
+            if "withdrawn" in types:
+                partner.take_back(announced)
 
-    def _go_on(self) -> None:
-        """The partner goes on to the next goal, once the robot needs none of what it is about."""
-        if self.partner.waits and not self.partner.needs(self.helper.things):
+    def _go_on(self, partner: Partner) -> None:
+        """A partner goes on to the next goal, once the robot needs none of what it is about."""
+        if partner.waits and not partner.needs(self.helper.things):
             self.helper.settle()
-            self.partner.begin()
+            partner.begin()
 
     def _is_over(self) -> bool:
-        if not self.partner.idle or not self.simulation.robot.idle:
+        if not self.simulation.robot.idle or not all(partner.idle for partner in self.partners.values()):
             return False
-        return not any(supervisor.ready and supervisor.left for supervisor in self.mind.course.supervisors)
+        supervisors = (s for mind in self.minds.minds.values() for s in mind.course.supervisors)
+        return not any(supervisor.ready and supervisor.left for supervisor in supervisors)
 
     # --- the end ---------------------------------------------------------------------------------------------------
 
     def _summary(self) -> Event:
-        last = self.partner.pursuits[-1].goal
-        data = self.mind.summary(last, self.settings.seed)
+        rows = [self._row(name) for name in self.partners]
+        data = {**self.minds.summary(seed=self.settings.seed), **rows[0]}
         asked = [term_text(as_term(action)) for action in self.helper.asked]
         data["robot"] = {"actions": asked, "done": self.helper.robot_done}
-        data |= {**self._day(data), "partner_finished": self.partner.last_action_done}
+        if len(rows) > 1:
+            data["correct"] = all(row["correct"] for row in rows)
+            data["partners"] = [{"agent": name, **row} for name, row in zip(self.partners, rows)]
         return Event("summary", self.simulation.time, data).about(self.mind.partner)
 
-    def _day(self, data: dict[str, Any]) -> dict[str, Any]:
-        """Of several goals: which they were, and whether those that were finished, and no others, were read as such."""
-        pursuits = self.partner.pursuits
-        if len(pursuits) == 1:
-            return {}
-        wanted = [pursuit.goal for pursuit in pursuits if not pursuit.given_up]
-        read = [row["goal"] for row in data["episodes"] if row["outcome"] == "finished"]
-        return {"goals": [pursuit.goal for pursuit in pursuits], "correct": sorted(read) == sorted(wanted)}
+    def _row(self, name: str) -> dict[str, Any]:
+        """What became of one partner's goals: which they were, and whether they, and no others, were read as such."""
+        partner, mind = self.partners[name], self.minds.minds.get(name)
+        last = partner.pursuits[-1].goal
+        told = (mind or self.mind).summary(last)
+        figures = {key: told[key] for key in FIGURES} | {"partner_finished": partner.last_action_done}
+        if mind is None:
+            figures |= {"predicted": None, "correct": False, "prediction_time": None}
+        if len(partner.pursuits) == 1 or mind is None:
+            return figures
+        wanted = [pursuit.goal for pursuit in partner.pursuits if not pursuit.given_up]
+        read = [row["goal"] for row in told["episodes"] if row["outcome"] == "finished"]
+        goals = [pursuit.goal for pursuit in partner.pursuits]
+        return {**figures, "goals": goals, "correct": sorted(read) == sorted(wanted)}

@@ -136,6 +136,11 @@ def find_domain(name: str | Path) -> Path:
     return real(folder)
 
 
+def shipped_domains() -> list[str]:
+    """The names of the domains that come with the package, without the texts that are there for them to include."""
+    return sorted(p.name for p in SHIPPED.iterdir() if any(is_there(p / file) for file in FILES[:2]))
+
+
 def build(name: str, folder: Path, sentences: dict[str, list[Sentence]]) -> Domain:
     """A domain from sentences by file name.
 

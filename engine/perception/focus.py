@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -25,10 +25,11 @@ class FocusSettings:
 
     qdc, qtc: the paper's encodings; a label that is not there counts 0. w_qdc, w_qtc: their weights.
     angle_unit: ``degrees`` or ``radians`` of the angle in the denominator; angle_resolution: degrees to
-    whose multiples it is rounded first (0 is none). threshold: the share the best must surpass. A target
-    needs target_votes of target_window steps, a destination destination_votes of destination_window, each
-    with a share above destination_minimum. tie_tolerance: relative difference up to which two scores are
-    equal.
+    whose multiples it is rounded first (0 is none; at 1, as published, noise decides between things in one
+    place). threshold: the share the best must surpass. A target needs target_votes of target_window steps, a
+    destination destination_votes of destination_window, each with a share above destination_minimum.
+    tie_tolerance: relative difference up to which two scores are equal. steady: a destination counts for an
+    action only while it is attended to; off, as published, the last one does, however long ago it was.
     """
 
     qdc: Mapping[str, float] = field(default_factory=_qdc)
@@ -36,7 +37,7 @@ class FocusSettings:
     w_qdc: float = 0.8
     w_qtc: float = 0.2
     angle_unit: str = "degrees"
-    angle_resolution: float = 1.0
+    angle_resolution: float = 10.0
     threshold: float = 0.45
     target_window: int = 4
     target_votes: int = 3
@@ -44,6 +45,7 @@ class FocusSettings:
     destination_votes: int = 3
     destination_minimum: float = 0.05
     tie_tolerance: float = 0.0
+    steady: bool = True
 
     def __post_init__(self) -> None:
         require(
@@ -74,12 +76,17 @@ def focus_settings(rows: Rows) -> FocusSettings:
 
 @dataclass(frozen=True, slots=True)
 class Focus:
-    """Target and destination at one moment; ``scores`` by object add up to 1, or are all 0."""
+    """Target and destination at one moment; ``scores`` by object add up to 1, or are all 0.
+
+    ``attended`` are the destinations that are looked at in this very step and have been for long enough, or were last
+    where nothing but the target is looked at: several where one lies on the other.
+    """
 
     t: float
     target: str | None
     destination: str | None
     scores: Mapping[str, float]
+    attended: tuple[str, ...] = ()
 
 
 class FocusEstimator:
@@ -101,6 +108,7 @@ class FocusEstimator:
         """Forget the target, the destination and the votes."""
         self.target: str | None = None
         self.destination: str | None = None
+        self._attended: tuple[str, ...] = ()
         self._targets: deque[Sequence[str]] = deque(maxlen=self.settings.target_window)
         self._destinations: deque[Sequence[str]] = deque(maxlen=self.settings.destination_window)
 
@@ -113,11 +121,24 @@ class FocusEstimator:
         self.target = _winner(self._targets, self.settings.target_votes, self.target, None)
         if self.destination == self.target:
             self.destination = None
+        attended: tuple[str, ...] = ()
         if self.target is not None:
-            self._destinations.append([name for name in for_destination if name != self.target])
+            now = [name for name in for_destination if name != self.target]
+            self._destinations.append(now)
             needed = self.settings.destination_votes
             self.destination = _winner(self._destinations, needed, self.destination, self.target)
-        return Focus(relations.t, self.target, self.destination, scores)
+            attended = self._looked_at(now)
+        return Focus(relations.t, self.target, self.destination, scores, attended)
+
+    def _looked_at(self, now: Sequence[str]) -> tuple[str, ...]:
+        """The destinations with enough votes, if one of them is voted for in this step; as before where nothing is."""
+        votes = Counter(name for slot in self._destinations for name in slot)
+        elected = tuple(name for name, count in votes.items() if count >= self.settings.destination_votes)
+        if any(name in now for name in elected):
+            self._attended = elected
+        elif now:
+            return ()
+        return tuple(name for name in self._attended if name != self.target)
 
     def _scores(self, relations: Relations) -> dict[str, float]:
         """Equation focus, normalised."""

@@ -26,10 +26,10 @@ class TrackerSettings:
     gate: float = 0.15
     memory: int = 50
     outliers: int = 2
-    agent_gate: float = 0.0
+    agent_gate: float = 0.08
     hold_bridge: int = 1
     hold_confirm: int = 1
-    agent_bridge: float = 0.0
+    agent_bridge: float = 2.0
 
     def __post_init__(self) -> None:
         for name in ("gate", "agent_gate", "agent_bridge"):

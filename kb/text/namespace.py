@@ -19,6 +19,7 @@ from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 SEPARATOR = ":"
 _ABOUT = (("claim", 1), ("did", 2), ("valid", 1))  # their first argument is a statement
 _SAYS = (("say", 2), ("say", 3))  # the last but one is what is worded (`kb.reasons.says`)
+_DENIALS = (("\\+", 1), ("not", 1))
 _COUNTED = (("aggregate_all", 3), ("findall", 3))  # their second argument is a goal
 
 

@@ -3,8 +3,9 @@
 ``include`` reads another file as if it stood here, with the operators in force there; what it declares is in force
 after the line. A file is read once, however often it is included. ``use`` makes the predicates of another text
 available under a prefix (`namespace`): of a file, or of a folder's ontology.pl; its operators are its own. Both names
-are relative to the file that has the line. Only regular files are read, up to a size each and together, and of a file
-outside the domain's folder and the shipped ones no mistake shows any text: a domain may come from anybody.
+are relative to the file that has the line; what is not beside it is looked for among the shipped texts. Only regular
+files are read, up to a size each and together, and of a file outside the domain's folder and the shipped ones no
+mistake shows any text: a domain may come from anybody.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ class Sources:
     """Reads files with what they include and use.
 
     Args:
-        roots: folders in which ``use`` looks for what is not beside the file: the shipped domains.
+        roots: folders in which what is not beside the file is looked for: the shipped domains.
         read: how one file is read, with the operators in force, and told of each directive as it is reached.
         mistake: what happens to a mistake; by default it is raised, ``casper check`` collects them.
 
@@ -150,12 +151,13 @@ class Sources:
                 self.mistake(mistake)
 
     def _included(self, directive: Directive, folder: Path) -> Path:
-        file = folder / _name(directive)
-        if not is_there(file):
-            raise ProgramError(f"there is no file {_name(directive)} to include beside this one", directive.place)
-        _check_regular(file, directive)
-        self._check_circle(file, directive)
-        return file
+        for place in (folder, *self.roots):
+            file = place / _name(directive)
+            if is_there(file):
+                _check_regular(file, directive)
+                self._check_circle(file, directive)
+                return file
+        raise ProgramError(f"there is no file {_name(directive)} to include beside this one", directive.place)
 
     def _used(self, directive: Directive, folder: Path) -> Iterator[Sentence]:
         prefix, file = _prefix(directive), self._found(_name(directive), directive, folder)

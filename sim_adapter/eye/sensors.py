@@ -20,6 +20,7 @@ from casper.sim_adapter.room.scene import Thing
 
 PERSON_HEIGHTS = (1.65, 1.3, 1.0)  # a person is seen when any of these points is
 SLACK = 0.03
+Pose = tuple[float, float, float]
 _OPAQUE = np.array([group in (FURNITURE, WALLS) for group in range(6)], dtype=np.uint8)
 
 
@@ -72,15 +73,14 @@ class Sensor:
 
     # -- the world state ------------------------------------------------------------------------------------------
 
-    def observe(
-        self, human: tuple[float, float, float], robot: tuple[float, float, float], robot_holds: str | None
-    ) -> WorldState:
+    def observe(self, people: Mapping[str, Pose], robot: Pose, robot_holds: str | None) -> WorldState:
         """One noisy world state. Poses are x, y, heading (radians); the robot knows its own exactly."""
         objects = {name: spot for name in self.physics.positions() if (spot := self._glimpse(name)) is not None}
         agents = {self.scene.robot: AgentState(*robot, robot_holds)}
-        person = self._person(human, objects)
-        if person is not None:
-            agents[self.scene.human] = person
+        for name, pose in people.items():
+            person = self._person(name, pose, objects)
+            if person is not None:
+                agents[name] = person
         seen = {name: ObjectState(*spot) for name, spot in objects.items()}
         return WorldState(self.physics.time, agents, seen)
 
@@ -92,13 +92,13 @@ class Sensor:
         x, y, z = self.physics.position(name)
         return x + float(noise[0]), y + float(noise[1]), z + float(noise[2])
 
-    def _person(self, pose: tuple[float, float, float], objects: Mapping[str, Spot]) -> AgentState | None:
+    def _person(self, name: str, pose: Pose, objects: Mapping[str, Spot]) -> AgentState | None:
         noise, luck = self._rng.normal(0.0, 1.0, 6), self._rng.random()
         misread = self._rng.random() < self.settings.hold_misread
         if luck < self.settings.drop or not self.sees_person(pose[:2]):
             return None
         jitter = self.settings.noise * noise
-        hx, hy, hz = self.physics.position(hand_name(self.scene.human))
+        hx, hy, hz = self.physics.position(hand_name(name))
         hand = (hx + float(jitter[3]), hy + float(jitter[4]), hz + float(jitter[5]))
         heading = turn(pose[2] + math.radians(self.settings.heading_noise) * float(noise[2]))
         holding = self._holding(hand, objects, misread)

@@ -13,7 +13,7 @@ from casper.sim_adapter.robot.arm import HOME, best_lift
 from casper.sim_adapter.room.navigation import CELL, Navigator
 from casper.sim_adapter.room.scene import Point
 
-APART = 1.1  # metres kept from every object, so that the partner can get at it
+APART = (1.1, 0.9, 0.7)  # metres kept from every object, so that the partner can get at it; less in a narrow room
 
 
 def vantage(physics: Physics, sensor: Sensor, navigator: Navigator, start: Point) -> Point:
@@ -27,5 +27,8 @@ def vantage(physics: Physics, sensor: Sensor, navigator: Navigator, start: Point
         return sum(visible_from(sensor, eye, things[name], at) for name, at in where.items())
 
     spots = [(CELL * column, CELL * row) for column, row in navigator.graph]
-    apart = [spot for spot in spots if all(math.dist(spot, at[:2]) >= APART for at in where.values())]
-    return max(apart, key=lambda spot: (seen(spot), -math.dist(spot, start)), default=start)
+    for apart in APART:
+        free = [spot for spot in spots if all(math.dist(spot, at[:2]) >= apart for at in where.values())]
+        if free:
+            return max(free, key=lambda spot: (seen(spot), -math.dist(spot, start)))
+    return start

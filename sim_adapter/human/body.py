@@ -18,9 +18,9 @@ HAND_SPEED = 1.0  # m/s of the hand when it swings back by itself
 class HumanBody:
     """Kinematic state, handed to the physics by ``show``. ``hand`` is in the body's frame."""
 
-    def __init__(self, physics: Physics, start: tuple[float, float, float]) -> None:
+    def __init__(self, physics: Physics, name: str, start: tuple[float, float, float]) -> None:
         self.physics = physics
-        self.name = physics.scene.human
+        self.name = name
         self.settings = physics.scene.human_settings
         self.dt = physics.scene.sim.control
         self.x, self.y, self.heading = start

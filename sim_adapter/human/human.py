@@ -10,7 +10,7 @@ import numpy as np
 from casper.kb.errors import DomainError
 from casper.sim_adapter.human.body import HumanBody
 from casper.sim_adapter.human.hand import HumanHand
-from casper.sim_adapter.human.walk import HumanWalk
+from casper.sim_adapter.human.walk import REACHABLE, HumanWalk
 from casper.sim_adapter.physics.physics import Physics
 from casper.sim_adapter.room.geometry import Disc
 from casper.sim_adapter.room.navigation import Navigator
@@ -26,6 +26,7 @@ class Human(Worker):
 
     Args:
         physics: the world it moves in.
+        name: whose body of the scene it is.
         navigator: ways for its body.
         start: x, y (metres), heading (radians).
         others: gives the discs of those to keep away from.
@@ -35,6 +36,7 @@ class Human(Worker):
     def __init__(
         self,
         physics: Physics,
+        name: str,
         navigator: Navigator,
         start: tuple[float, float, float],
         others: Callable[[], Sequence[Disc]],
@@ -42,9 +44,9 @@ class Human(Worker):
     ) -> None:
         self.physics = physics
         self.scene = physics.scene
-        self.name = self.scene.human
+        self.name = name
         self.settings = self.scene.human_settings
-        self.body = HumanBody(physics, start)
+        self.body = HumanBody(physics, name, start)
         self.hand = HumanHand(self.body)
         self.walk = HumanWalk(self.body, navigator, others)
         self.queue = StepQueue()
@@ -158,6 +160,8 @@ class Human(Worker):
         yield from self._until_free(target)
         there = math.dist(self.body.at(target), self.body.at(destination)) < AT_HAND
         yield from self.walk.go_to(destination if there else target)
+        if math.dist(self.place, self.body.at(target)) > REACHABLE:
+            yield from self.walk.go_to(target)
         yield from self._pause()
         for _ in range(round(self.settings.use_pairs)):
             yield from self._until_free(target)

@@ -5,16 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from casper.sim_adapter.physics.parts import HUMAN, NO_BITS, add_geom, add_limb, add_servo_hinge, rgba
-from casper.sim_adapter.room.scene import Scene
 
 HIP, SHOULDER_UP, SHOULDER_SIDE, UPPER_ARM, FOREARM = 0.92, 0.50, 0.21, 0.31, 0.30
 THIGH, SHIN = 0.44, 0.42
 SKIN, SHIRT, TROUSERS = rgba(0.9, 0.72, 0.6), rgba(0.2, 0.5, 0.45), rgba(0.25, 0.28, 0.4)
 
 
-def add_human(spec: Any, scene: Scene) -> None:
+def add_human(spec: Any, name: str) -> None:
     """Root (named like the agent, its origin on the floor), limbs, and ``<agent>:hand``; nothing collides."""
-    name = scene.human
     root = spec.worldbody.add_body(name=name, mocap=True)
     add_limb(root, (0, -0.09, HIP), (0, 0.09, HIP), 0.09, TROUSERS, HUMAN)
     trunk = _link(spec, root, f"{name}:waist", (0, 0, HIP), (0, 1, 0))

@@ -1,4 +1,4 @@
-"""Scene → MuJoCo model, from primitives only: the room and its furniture, the objects, a human, a robot."""
+"""Scene → MuJoCo model, from primitives only: the room and its furniture, the objects, people, a robot."""
 
 from __future__ import annotations
 
@@ -36,9 +36,10 @@ def build_spec(scene: Scene) -> Any:
     spec.visual.map.znear = 0.01
     add_room(spec, scene)
     add_things(spec, scene)
-    add_human(spec, scene)
+    for person in scene.people:
+        add_human(spec, person)
     add_robot(spec, scene)
-    for agent in (scene.human, scene.robot):
+    for agent in (*scene.people, scene.robot):
         for thing in scene.movables:
             _add_hold(spec, agent, thing)
     return spec

@@ -171,9 +171,11 @@ class Robot(Worker):
         if self.holding not in (None, target):
             raise StepFailed(f"the gripper still holds {self.holding}")
         if self.holding is None:
+            yield from self._until_free(target)  # whoever just put it there may still have a hand on it
             if not self._placed(target, destination):
                 raise StepFailed(f"{target} is not at {destination}")
             yield from self._approach(destination)
+            yield from self._until_free(target)
             yield from self._grasp(target)
         yield from self.hand.scrub(target)
         yield from self.hand.release(target)

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from casper.kb.errors import DomainError
-from casper.kb.terms.numbers import as_float
-from casper.sim_adapter.room.settings import HumanSettings, RobotSettings, SensorSettings, SimSettings, settings_from
+from casper.sim_adapter.room.settings import HumanSettings, RobotSettings, SensorSettings, SimSettings
 
-Rows = Callable[[str, int], Iterable[tuple[Any, ...]]]
 Point = tuple[float, float]
 
 FURNITURE_KINDS = ("counter", "table", "cabinet")
@@ -40,6 +37,12 @@ class Furniture:
     def surface(self) -> float:
         """Height of the board things stand on."""
         return self.top if self.shelf is None else self.shelf
+
+    @property
+    def footprint(self) -> tuple[float, float, float, float]:
+        """The floor it takes up: least x and y, greatest x and y."""
+        half_x, half_y = self.size_x / 2, self.size_y / 2
+        return self.x - half_x, self.y - half_y, self.x + half_x, self.y + half_y
 
     def holds(self, x: float, y: float, margin: float = 0.0) -> bool:
         """Whether the point lies over the footprint, at least ``margin`` inside its edge."""
@@ -79,20 +82,40 @@ class Thing:
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """Everything the simulator builds from; see ``domains/kitchen/scene.pl`` for the facts and their units."""
+    """Everything the simulator builds from; ``docs/rooms.md`` has the facts and their units.
+
+    ``people`` are those who are watched, ``starts`` x, y, heading (radians) of those whose start is said.
+    """
 
     outline: tuple[Point, ...]
     walkable: tuple[Point, ...]
     holes: tuple[tuple[float, float, float, float], ...]
     furniture: tuple[Furniture, ...]
     things: Mapping[str, Thing]
-    human: str
+    people: tuple[str, ...]
     robot: str
     starts: Mapping[str, tuple[float, float, float]]
     sim: SimSettings
     human_settings: HumanSettings
     robot_settings: RobotSettings
     sensor: SensorSettings
+
+    @property
+    def human(self) -> str:
+        """The first of the people."""
+        return self.people[0]
+
+    @property
+    def middle(self) -> Point:
+        """The middle of the room, where it is widest."""
+        (left, right), (front, back) = self.extent
+        return (left + right) / 2, (front + back) / 2
+
+    @property
+    def extent(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """From where to where the room goes, east and north."""
+        xs, ys = zip(*self.outline)
+        return (min(xs), max(xs)), (min(ys), max(ys))
 
     @property
     def movables(self) -> tuple[str, ...]:
@@ -113,96 +136,3 @@ class Scene:
         if name is None or name not in self.things:
             raise DomainError(f"the scene has no object {name}; it has {', '.join(self.things)}")
         return self.things[name]
-
-
-def scene_from(rows: Rows) -> Scene:
-    """Read a scene from a domain's facts.
-
-    Raises:
-        DomainError: something is missing or contradicts itself; the sentence names the fact that is needed.
-    """
-    agents = {kind: name for name, kind in rows("body", 2)}
-    for kind in ("person", "mobile_manipulator"):
-        if kind not in agents:
-            raise DomainError(f"the scene has no body(Name, {kind})")
-    table = {(group, name): value for group, name, value in rows("setting", 3)}
-    starts = {name: (_n(x), _n(y), math.radians(_n(h))) for name, x, y, h in rows("start", 4)}
-    robot = agents["mobile_manipulator"]
-    if robot not in starts:
-        raise DomainError(f"the scene does not say where {robot} starts: start({robot}, X, Y, Heading) is missing")
-    scene = Scene(
-        outline=_corners(rows, "outline"),
-        walkable=_corners(rows, "walkable"),
-        holes=tuple((_n(a), _n(b), _n(c), _n(d)) for _, a, b, c, d in rows("hole", 5)),
-        furniture=_furniture(rows),
-        things=_things(rows),
-        human=agents["person"],
-        robot=robot,
-        starts=starts,
-        sim=settings_from(SimSettings, "sim", table),
-        human_settings=settings_from(HumanSettings, "human", table),
-        robot_settings=settings_from(RobotSettings, "robot", table),
-        sensor=settings_from(SensorSettings, "sensor", table),
-    )
-    return scene
-
-
-def _corners(rows: Rows, name: str) -> tuple[Point, ...]:
-    corners = tuple((_n(x), _n(y)) for _, x, y in sorted(rows(name, 3)))
-    if len(corners) < 3:
-        raise DomainError(f"the scene needs at least three corners {name}(Number, X, Y); it has {len(corners)}")
-    return corners
-
-
-def _furniture(rows: Rows) -> tuple[Furniture, ...]:
-    shelves: dict[str, Any] = dict(rows("shelf", 2))
-    sides: dict[str, Any] = dict(rows("opens", 2))
-    pieces = []
-    for name, kind, x, y, size_x, size_y, top in rows("furniture", 7):
-        if kind not in FURNITURE_KINDS:
-            raise DomainError(f"furniture {name} is a {kind}; it must be one of {', '.join(FURNITURE_KINDS)}")
-        if kind == "cabinet":
-            _needs(name, shelves, f"shelf({name}, Height)")
-            _needs(name, sides, f"opens({name}, Side)")
-            _one_of(name, sides[name], SIDES)
-        shelf = _n(shelves[name]) if name in shelves else None
-        numbers = (_n(x), _n(y), _n(size_x), _n(size_y), _n(top))
-        pieces.append(Furniture(name, kind, *numbers, shelf, sides.get(name)))
-    return tuple(pieces)
-
-
-def _things(rows: Rows) -> dict[str, Thing]:
-    shapes = {name: (kind, (_n(x), _n(y), _n(z))) for name, kind, x, y, z in rows("shape", 5)}
-    masses = {name: _n(mass) for name, mass in rows("mass", 2)}
-    placings: dict[str, str] = dict(rows("placing", 2))
-    colours = {name: (_n(r), _n(g), _n(b)) for name, r, g, b in rows("colour", 4)}
-    things: dict[str, Thing] = {}
-    for name, x, y, z in rows("position", 4):
-        _needs(name, shapes, f"shape({name}, Kind, SizeX, SizeY, SizeZ)")
-        kind, size = shapes[name]
-        _one_of(name, kind, MOVABLE_SHAPES if name in masses else FIXED_SHAPES)
-        if name in placings:
-            _one_of(name, placings[name], PLACINGS)
-        colour = colours.get(name, (0.6, 0.6, 0.6))
-        things[name] = Thing(name, _n(x), _n(y), _n(z), kind, size, masses.get(name), placings.get(name), colour)
-    if not things:
-        raise DomainError("the scene has no object: position(Name, X, Y, Z) is missing")
-    for name in (*shapes, *masses, *placings):
-        _needs(name, things, f"position({name}, X, Y, Z)")
-    return things
-
-
-def _needs(name: str, table: Mapping[str, Any], fact: str) -> None:
-    if name not in table:
-        raise DomainError(f"the scene says nothing of {name} here: {fact} is missing")
-
-
-def _one_of(name: str, value: Any, allowed: tuple[str, ...]) -> None:
-    if value not in allowed:
-        raise DomainError(f"{name} cannot be {value}; it must be one of {', '.join(allowed)}")
-
-
-def _n(value: Any) -> float:
-    if not math.isfinite(as_float(value)):
-        raise DomainError(f"the scene needs a number where it has {value!r:.40}")
-    return as_float(value)

@@ -23,13 +23,13 @@ class HumanSettings:
     """The partner: metres, m/s, rad/s, seconds. The paper's human stops .6 m from what it goes to."""
 
     radius: float = 0.17
-    walk_speed: float = 0.8
+    walk_speed: float = 0.6
     turn_rate: float = 2.5
     stand_distance: float = 0.55
     pause_min: float = 1.0
     pause_max: float = 2.0
-    pick_time: float = 2.0
-    place_time: float = 2.5
+    pick_time: float = 2.5
+    place_time: float = 3.0
     use_half: float = 3.0
     use_pairs: float = 3
 

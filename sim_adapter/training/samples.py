@@ -17,7 +17,8 @@ from casper.engine.perception.focus import FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, perception_settings
 from casper.engine.perception.tracking import Tracker, tracker_settings
 from casper.engine.settings import check_seed
-from casper.sim_adapter.room.scene import Scene, scene_from
+from casper.sim_adapter.room.facts import scene_of
+from casper.sim_adapter.room.scene import Scene
 from casper.sim_adapter.simulation import Simulation
 from casper.sim_adapter.training.training import training_script
 
@@ -32,7 +33,7 @@ def training_samples(domain: Domain, trials: int, seed: int, *, step_back: bool 
         DomainError: the domain lacks a scene, or a seed that is no whole number from 0.
     """
     check_seed(seed)
-    scene = scene_from(domain.kb.rows)
+    scene = scene_of(domain)
     for trial in range(trials):
         yield from _trial(domain, scene, trial, seed * 1000 + trial, step_back)
 

@@ -3,20 +3,18 @@
 import itertools
 from pathlib import Path
 
-import casper
+from casper.engine.domain.domain import SHIPPED, Domain
 from casper.engine.movements.movements import HOLD, MOS, QTC
 from casper.engine.perception.focus import Focus
 from casper.engine.perception.perception import Relations
-from casper.kb.base import KnowledgeBase
 
 GOLDEN = Path(__file__).parent.parent / "golden" / "fsm_response.json"
-KITCHEN = Path(casper.__file__).parent / "domains" / "kitchen" / "actions.pl"
 QDC = ("touch", "near", "medium", "far", "ignore")
 _NAMES = {"S": "still", "W": "walk", "T": "transport", "P": "pick", "L": "place"}
 
 
 def kitchen_rows():
-    return KnowledgeBase.from_text(KITCHEN.read_text()).rows
+    return Domain.load(SHIPPED / "kitchen").kb.rows
 
 
 def rows_of(facts):

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import casper
 from casper.kb.base import KnowledgeBase
-from casper.sim_adapter.room.scene import scene_from
+from casper.sim_adapter.room.facts import scene_from
 from casper.sim_adapter.steps import Step
 
 SCENE_FILE = Path(casper.__file__).parent / "domains" / "kitchen" / "scene.pl"

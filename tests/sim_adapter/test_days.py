@@ -17,7 +17,8 @@ from casper import Domain
 from casper.kb.errors import DomainError
 from casper.kb.terms.terms import Compound
 from casper.sim_adapter.helping import Helper
-from casper.sim_adapter.partner import Partner, goals_of_a_day
+from casper.sim_adapter.goals import goals_of_a_day
+from casper.sim_adapter.partner import Partner
 from casper.sim_adapter.simulation import Simulation
 from casper.sim_adapter.trial import Trial, TrialSettings
 

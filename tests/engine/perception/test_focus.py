@@ -8,7 +8,7 @@ from low_level_kitchen import QDC, kitchen_rows, rows_of, seen
 from casper.engine.perception.focus import FocusEstimator, FocusSettings, focus_settings
 from casper.kb.errors import DomainError
 
-WHOLE_DEGREES = FocusSettings()
+WHOLE_DEGREES = FocusSettings(angle_resolution=1.0)
 
 
 def focuses(*relations, settings=WHOLE_DEGREES):
@@ -147,11 +147,30 @@ def test_three_equal_best_elect_no_target():
     assert (last.target, last.destination) == (None, None)
 
 
+def test_a_place_that_was_passed_by_is_attended_to_no_more():
+    taken = repeated(3, {"cup": "touch"})
+    passing = [seen(t, {"cup": "touch", "mat": "touch", "tray": "medium"}) for t in range(3, 8)]
+    behind = {"angle": {"mat": math.pi}}
+    arrived = [seen(t, {"cup": "touch", "mat": "near", "tray": "touch"}, **behind) for t in range(8, 13)]
+    told = focuses(*taken, *passing, *arrived)
+    assert [(f.destination, f.attended) for f in told[7:]] == [
+        ("mat", ("mat",)),
+        *[("mat", ())] * 2,
+        *[("tray", ("tray",))] * 3,
+    ]
+
+
+def test_of_two_places_where_one_lies_on_the_other_both_are_attended_to():
+    together = [seen(t, {"cup": "touch", "bowl": "touch", "mat": "touch"}) for t in range(3, 9)]
+    told = focuses(*repeated(3, {"cup": "touch"}), *together)
+    assert set(told[-1].attended) == {"bowl", "mat"}
+
+
 def test_a_tie_tolerance_makes_nearly_equal_scores_equal():
     close = {"angle": {"b": math.radians(1)}}
     steps = repeated(3, {"b": "touch"}) + [seen(t, {"a": "touch", "b": "touch"}, **close) for t in range(3, 9)]
     assert focuses(*steps)[-1].target == "a"
-    assert focuses(*steps, settings=FocusSettings(tie_tolerance=0.6))[-1].target == "b"
+    assert focuses(*steps, settings=FocusSettings(angle_resolution=1.0, tie_tolerance=0.6))[-1].target == "b"
 
 
 def test_after_a_reset_nobody_is_attended_to():

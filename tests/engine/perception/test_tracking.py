@@ -77,8 +77,10 @@ def test_an_agent_out_of_sight_goes_on_as_it_went_for_so_long_and_is_then_absent
     assert [s.agents["human"].x if s.agents else None for s in steps] == [0, 0.5, 1.0, 1.5, None]
 
 
-def test_an_absent_agent_stays_absent_by_default():
-    assert tracked(world(0), world(1, agent=False))[1].agents == {}
+def test_an_agent_out_of_sight_goes_on_for_two_seconds_and_is_absent_then():
+    gone = [world(t, agent=False) for t in (1, 2, 3)]
+    assert [set(state.agents) for state in tracked(world(0), *gone)] == [{"human"}, {"human"}, {"human"}, set()]
+    assert tracked(world(0), *gone, agent_bridge=0.0)[1].agents == {}
 
 
 def test_a_standing_agents_noise_is_averaged_and_a_step_is_taken_at_once():

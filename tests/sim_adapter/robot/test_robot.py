@@ -112,6 +112,17 @@ def test_using_what_is_elsewhere_fails_and_takes_the_later_steps_with_it():
     assert simulation.robot.idle
 
 
+def test_the_robot_waits_for_what_it_is_to_use_while_the_human_has_a_hand_on_it():
+    simulation = Simulation(kitchen_scene(), seed=0)
+    simulation.physics.grasp("human", "plate")
+    simulation.robot.do([use("plate", "sink")])
+    simulation.advance(2.0)
+    assert simulation.robot.failed == [] and simulation.robot.current == use("plate", "sink")
+    simulation.physics.release("human")
+    simulation.advance(0.1)
+    assert simulation.robot.failed == [(use("plate", "sink"), "plate is not at sink")]
+
+
 def test_something_the_human_keeps_in_the_hand_is_given_up_after_a_while():
     simulation = Simulation(kitchen_scene(), seed=0)
     simulation.physics.grasp("human", "plate")
