@@ -32,10 +32,10 @@ AFTERWARDS = 6.0  # simulated seconds watched after the partner is done, so that
 class TrialSettings:
     """What a trial is about.
 
-    ``goal`` is a goal's label, or several with commas, pursued one after the other, or dealt out in turn where there are
-    several partners; what is not named is drawn from the seed. ``goals_in_a_row`` is how many there are in all, of each partner (None: as many as are named, at least one), ``goals``
-    how many the mind takes to be pursued at once. Who ``changes_mind`` gives the first up for the second after one
-    action.
+    ``goal`` is a goal's label, or several with commas, pursued one after the other, or dealt out in turn where there
+    are several partners; what is not named is drawn from the seed. ``goals_in_a_row`` is how many there are in all, of
+    each partner (None: as many as are named, at least one), ``goals`` how many the mind takes to be pursued at once.
+    Who ``changes_mind`` gives the first up for the second after one action.
     """
 
     goal: str | None = None

@@ -110,11 +110,6 @@ class Domain(Readings):
         return domain_name(self)
 
 
-def shipped_domains() -> list[str]:
-    """The names of the domains that come with the package."""
-    return sorted(p.name for p in SHIPPED.iterdir() if p.is_dir() and any(is_there(p / f) for f in FILES))
-
-
 def find_domain(name: str | Path) -> Path:
     """The folder of a shipped domain or of a path.
 
