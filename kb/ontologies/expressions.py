@@ -127,8 +127,3 @@ def parts_of(part: Part) -> Iterator[Part]:
         yield found
         if isinstance(found, Expression):
             waiting.extend(reversed(found.args))
-
-
-def is_property_iri(iri: str) -> bool:
-    """Whether the IRI is a property of OWL itself, which no ontology defines."""
-    return iri.startswith(OWL) and iri.endswith("Property")

@@ -177,24 +177,13 @@ class Procedure:
         if arity:
             self._index([clause.clause.head[1] for clause in clauses])
 
-    def fitting(self, args: tuple[Any, ...]) -> Procedure:
-        """The procedure whose bodies are ordered for what is known of a call's arguments."""
-        if self.fitted is None:
-            return self
+    def fitting(self, args: tuple[Any, ...], fitted: Callable[[Pattern], Procedure]) -> Procedure:
+        """The procedure whose bodies are ordered (by ``fitted``) for what is known of a call's arguments."""
         pattern = tuple([type(deref(arg)) is not list for arg in args])
         found = self.patterns.get(pattern)
         if found is None:
-            found = self.patterns[pattern] = self.fitted(pattern)
+            found = self.patterns[pattern] = fitted(pattern)
         return found
-
-    def candidates(self, args: tuple[Any, ...]) -> tuple[CompiledClause, ...]:
-        """The clauses whose head's first argument can be the call's."""
-        first = deref(args[0]) if args else None
-        if not args or type(first) is list:
-            return self.all
-        if isinstance(first, tuple):
-            return self.structures.get(first[0], self.open)
-        return self.constants.get(first, self.open)
 
     def _index(self, firsts: Sequence[Term]) -> None:
         self.open = tuple(c for c, first in zip(self.all, firsts) if isinstance(first, Variable))

@@ -11,9 +11,9 @@ from casper.kb.top_down.running.strands import CLAUSES, Choice, Cont, State, Str
 
 
 def chosen(procedure: Procedure, args: tuple[Any, ...]) -> tuple[CompiledClause, ...]:
-    """The clauses whose head's first argument can be the call's; `Procedure.candidates` without its calls."""
+    """The clauses whose head's first argument can be the call's."""
     if procedure.fitted is not None:
-        procedure = procedure.fitting(args)
+        procedure = procedure.fitting(args, procedure.fitted)
     if not args:
         return procedure.all
     first = args[0]
