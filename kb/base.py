@@ -14,13 +14,14 @@ from typing import Any
 
 from casper.kb.goals.goals import Predicate
 from casper.kb.program.refusals import undefined_sentence
+from casper.kb.reasons.constraints import History
 from casper.kb.reasons.doubt import Doubt
 from casper.kb.reasons.proof import Proof
 from casper.kb.reasons.repair import Repair, repairs
-from casper.kb.reasons.validity import History, Verdict
+from casper.kb.reasons.validity import Verdict
 from casper.kb.reasons.why_not import Refusal, Violation
 from casper.kb.store.judging import judged, nobody_defines, why, why_not
-from casper.kb.store.known import Statement
+from casper.kb.store.known import MOST_INDEXED, Statement
 from casper.kb.store.questions import Questions
 from casper.kb.store.versioned import NO_HISTORY, of_one_moment
 from casper.kb.terms.clauses import SYSTEM
@@ -28,6 +29,8 @@ from casper.kb.terms.terms import Compound, predication
 from casper.kb.terms.unification import is_ground
 from casper.kb.text.triples import triples_text
 from casper.kb.top_down.answering import Answering
+
+_NAMES = frozenset({str})  # what a statement is made of whose verdict is remembered: 1 and 1.0 would be one
 
 
 class KnowledgeBase(Questions):
@@ -92,12 +95,23 @@ class KnowledgeBase(Questions):
         """
         atom = self._statement(statement)
         refusal = self._refused_at_once(atom)
-        verdict = judged(atom, self._model, self._searches(history)) if refusal is None else None
-        verdict = verdict or Verdict(atom, False, atom, refusal)
+        verdict = self._judged(atom, history) if refusal is None else Verdict(atom, False, atom, refusal)
         if not self.words:
             return verdict
         refusal = None if verdict.refusal is None else replace(verdict.refusal, words=self.words)
         return replace(verdict, refusal=refusal, words=self.words)
+
+    def _judged(self, atom: Compound, history: History) -> Verdict:
+        """The verdict on a statement; one of names is remembered, unless what happened may change it."""
+        if not _NAMES.issuperset(map(type, atom)) or (history and self._model.program.looks_back):
+            return judged(atom, self._model, self._searches(history))
+        verdicts = self._verdicts
+        found = verdicts.get(atom)
+        if found is None:
+            found = judged(atom, self._model, self._searches(history))
+            if found.valid is not None and len(verdicts) < MOST_INDEXED:
+                verdicts[atom] = found
+        return found
 
     def _refused_at_once(self, atom: Compound) -> Refusal | None:
         """The refusal of a statement whose predicate nobody defines."""

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from casper.engine.domain.domain import SHIPPED, Domain
 from casper.kb.errors import CasperError, Place
-from casper.kb.reasons.validity import History
+from casper.kb.reasons.constraints import History
 from casper.kb.terms.clauses import Clause, Directive, Sentence
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import NIL, Compound, Term, as_term, list_items, predication

@@ -8,6 +8,7 @@ from threading import Lock
 from typing import Any
 
 from casper.engine.domain.agents import agent_of, partners_of
+from casper.engine.domain.remembered import Remembered
 from casper.engine.episodes.day import Day
 from casper.engine.episodes.enumerated import MOST_MISSED, Enumerated
 from casper.engine.episodes.growing import Growing
@@ -24,7 +25,15 @@ from casper.engine.reading.reading import Reading
 from casper.engine.recognition.options import Options
 from casper.engine.recognition.scoring import score_named
 from casper.engine.verification.history import Done, in_order, in_plan_order
-from casper.engine.verification.matching import Agents, Matcher, Mismatch, NameMatcher, ParameterMatcher, bindings_of
+from casper.engine.verification.matching import (
+    Agents,
+    Binding,
+    Matcher,
+    Mismatch,
+    NameMatcher,
+    ParameterMatcher,
+    bindings_of,
+)
 from casper.engine.verification.verified_matching import VerifyingMatcher, settle
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import DomainError, Place, PlanError
@@ -32,6 +41,7 @@ from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import substitute
 from casper.plans.grammar.expansion import labels
 from casper.plans.library import GOAL, PlanLibrary
+from casper.plans.trees.plan import Plan
 
 PRIOR = ("prior", 2)
 MOST_KEPT = 8  # readings to make others of
@@ -48,7 +58,7 @@ class Readings:
     @property
     def partner(self) -> str:
         """The agent that is watched: ``setting(agents, partner, Name)``, else the first human there is."""
-        return agent_of(self.kb, "partner", "human")
+        return self._remembered.of("partner", lambda: agent_of(self.kb, "partner", "human"))
 
     @property
     def partners(self) -> tuple[str, ...]:
@@ -58,7 +68,7 @@ class Readings:
     @property
     def robot(self) -> str:
         """The agent that helps: ``setting(agents, robot, Name)``, else the first robot there is."""
-        return agent_of(self.kb, "robot", "robot")
+        return self._remembered.of("robot", lambda: agent_of(self.kb, "robot", "robot"))
 
     def reading(
         self,
@@ -188,6 +198,10 @@ class Readings:
     def _lock(self) -> Lock:
         return Lock()
 
+    @cached_property
+    def _remembered(self) -> Remembered:
+        return Remembered(self.kb)
+
     def _priors(self) -> dict[str, float]:
         places = {clause.head.args: clause.place for clause in self.kb.clauses_of(PRIOR)}
         return priors_of(self.kb.rows(*PRIOR), self.library.goals, places.get)
@@ -225,14 +239,23 @@ class Readings:
         who = None if by is None else Agents(self.partner, self.robot).named(substitute(by, bindings_of(plan, binding)))
         if not self.verifies or (isinstance(who, str) and who != agent):
             return situation.leaves[leaf], False
-        settled = settle(self.kb, plan, binding[: len(plan.variables)]) if self.kb.defines(*GOAL) else binding
-        known = bindings_of(plan, binding if isinstance(settled, Mismatch) else settled)
-        actions = [substitute(action, known) for action in plan.leaves]
-        done = situation.done | plan.chart.before[leaf] & situation.belonging
-        who = partner or self.partner
-        theirs = [Compound((a.functor, who, *a.args)) for a in actions]
-        history = in_plan_order(theirs, done, plan.chart.before, in_order(earlier))
-        action = actions[leaf]
-        verdict = self.kb.verify(Compound((action.functor, agent, *action.args)), history)
+        known = bindings_of(plan, self._settled(plan, binding))
+        action = substitute(plan.leaves[leaf], known)
+        statement = Compound((action.functor, agent, *action.args))
+        if self.kb.depends_on_history:
+            who, done = partner or self.partner, situation.done | plan.chart.before[leaf] & situation.belonging
+            actions = [substitute(other, known) for other in plan.leaves]
+            theirs = [Compound((a.functor, who, *a.args)) for a in actions]
+            verdict = self.kb.verify(statement, in_plan_order(theirs, done, plan.chart.before, in_order(earlier)))
+        else:
+            verdict = self.kb.verify(statement)
         filled = verdict.completed if verdict.valid else verdict.statement
         return Compound((filled.functor, *filled.args[1:])), verdict.valid is True
+
+    def _settled(self, plan: Plan, binding: Binding) -> Binding:
+        """The binding as far as the goal's condition completes it."""
+        if not self.kb.defines(*GOAL):
+            return binding
+        known = binding[: len(plan.variables)]
+        found = self._remembered.of((id(plan), known), lambda: settle(self.kb, plan, known), plan)
+        return binding if isinstance(found, Mismatch) else found

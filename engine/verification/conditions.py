@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import BudgetExceeded, ProgramError, Undefined
-from casper.kb.reasons.validity import History
+from casper.kb.reasons.constraints import History
 from casper.kb.reasons.why_not import Refusal
 from casper.kb.terms.clauses import Literal
 from casper.kb.terms.terms import Compound, Term, Variable

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 from casper.kb.bottom_up.join import Join
 from casper.kb.bottom_up.size import Room
@@ -15,18 +14,27 @@ from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.terms.unification import Bindings
 
 
-@dataclass
+class Joins(dict[tuple[int, int | None], Join]):
+    """Rules of a stratum by their number and the condition that ranges over what is new, compiled when they are run.
+
+    They hold for the same rules in the same order, whatever the rows are.
+    """
+
+    def of(self, number: int, rule: Clause, at: int | None = None) -> Join:
+        """The compiled rule."""
+        found = self.get((number, at))
+        if found is None:
+            found = self[number, at] = Join(rule, at)
+        return found
+
+
+@dataclass(frozen=True, slots=True)
 class _Recursive:
-    """A rule, and which of its conditions ranges over what is new; compiled when something new comes."""
+    """A rule, and which of its conditions ranges over what is new."""
 
     number: int
     rule: Clause
     at: int
-
-    @cached_property
-    def join(self) -> Join:
-        """The compiled rule."""
-        return Join(self.rule, self.at)
 
 
 class Stratum:
@@ -37,6 +45,7 @@ class Stratum:
     Args:
         relations: those of the stratum, which grow, and all rows of what else it needs.
         absent: where negations are looked up; the relations themselves when it is None.
+        joins: what was compiled before for the same stratum of the same rules.
     """
 
     def __init__(
@@ -46,7 +55,9 @@ class Stratum:
         relations: Mapping[Indicator, Relation],
         room: Room,
         absent: Mapping[Indicator, Relation] | None = None,
+        joins: Joins | None = None,
     ) -> None:
+        self.joins = Joins() if joins is None else joins
         self.relations, self.room, self.stratum, self.absent = relations, room, stratum, absent
         self.failures: list[tuple[Clause, Bindings]] = []  # evaluations: the rule, and what was known of its variables
         self.rules = [c for indicator in sorted(stratum) for c in program.rules[indicator]]
@@ -54,15 +65,15 @@ class Stratum:
 
     def run(self, round_: int) -> int:
         """Evaluate to the fixpoint; the last round's number."""
-        for rule in self.rules:
+        for number, rule in enumerate(self.rules):
             if self._may_fire(rule):
-                self._run(Join(rule), rule, ())
+                self._run(self.joins.of(number, rule), rule, ())
         recursive = self._recursive()
         while delta := self._take(round_ := round_ + 1):
             due = [each for indicator in delta for each in recursive.get(indicator, ())]
             for each in sorted(due, key=lambda each: each.number):
                 new = delta[each.rule.body[each.at].atom.indicator]
-                self._run(each.join, each.rule, new)
+                self._run(self.joins.of(each.number, each.rule, each.at), each.rule, new)
         return round_
 
     def _run(self, join: Join, rule: Clause, new: Iterable[Row]) -> None:

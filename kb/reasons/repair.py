@@ -13,9 +13,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol, Self
 
+from casper.kb.reasons.constraints import History
 from casper.kb.reasons.doubt import Doubt
 from casper.kb.reasons.proof import Proof
-from casper.kb.reasons.validity import History
 from casper.kb.reasons.why_not import Refusal, Violation, attempts
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text

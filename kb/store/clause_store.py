@@ -10,7 +10,7 @@ from casper.kb.errors import ProgramError
 from casper.kb.reasons.says import SAYS, Words, words_of
 from casper.kb.relations.relation import Row
 from casper.kb.store.computed import own_predicates
-from casper.kb.store.known import MOST_INDEXED, NOTHING, Statement
+from casper.kb.store.known import MOST_INDEXED, Statement
 from casper.kb.store.loading import loading
 from casper.kb.store.stated import Stated, fact_of
 from casper.kb.store.versioned import Versioned, of_one_moment
@@ -100,13 +100,12 @@ class ClauseStore(Versioned):
     @property
     def words(self) -> Words:
         """The author's sentences, in the language of the base."""
-        made = self._worded
-        if made is None or made[0] != (self.changes, self.language):
+        kept, language = self._worded, self.language
+        found = kept.get(language)
+        if found is None:
             clauses = [clause for indicator in SAYS for clause in self.clauses_of(indicator)]
-            made = self._worded = ((self.changes, self.language), words_of(clauses, self.language))
-        return made[1]
-
-    _worded: tuple[tuple[int, str], Words] | None = None
+            found = kept[language] = words_of(clauses, language)
+        return found
 
     @property
     def declared(self) -> Sequence[Indicator]:
@@ -207,7 +206,9 @@ class ClauseStore(Versioned):
             self._forget()
             return True
         self.changes += 1
-        self._known, self._false, self._validated = NOTHING, set(), {}
+        self._forget_answers()
+        if atom.indicator in SAYS:
+            self._worded = {}
         self._index_in = MOST_INDEXED  # by then the questions have cost as much as indexing anew
         try:
             return self._model.change(atom.indicator, atom.args, clause, add=clause is not None)

@@ -8,13 +8,13 @@ from functools import cached_property, partial
 from threading import RLock
 
 from casper.kb.bottom_up.changes import Change
-from casper.kb.bottom_up.heights import least_heights
+from casper.kb.bottom_up.heights import Heights
 from casper.kb.bottom_up.incremental import Maintenance, TooMuch
 from casper.kb.bottom_up.materialise import materialise
 from casper.kb.errors import ProgramError
 from casper.kb.program.declarations import Moded
 from casper.kb.program.program import Program, analyse
-from casper.kb.reasons.validity import Constraints, History, constraints_of, with_history
+from casper.kb.reasons.constraints import ConstraintCode, Constraints, History, with_history
 from casper.kb.relations.layered import LayeredRelation
 from casper.kb.relations.relation import Relation, Row, copied
 from casper.kb.store.layers import GivenLayer, Layers
@@ -31,6 +31,24 @@ MOST_EXACT = 50_000  # rows up to which proofs are of least height whatever happ
 MOST_LAYERS = 8  # laid over one another before their rows are put together again
 
 
+class Compiled:
+    """What depends on the rules alone, compiled when it is first needed and kept however the facts change."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self.maintenance = Maintenance(program)
+
+    @cached_property
+    def constraints(self) -> ConstraintCode:
+        """The constraints."""
+        return ConstraintCode(self.program)
+
+    @cached_property
+    def heights(self) -> Heights:
+        """What finds the least proof of every row."""
+        return Heights(self.program)
+
+
 @dataclass
 class Model:
     """What is worked out of the clauses once, and kept in step afterwards.
@@ -42,7 +60,7 @@ class Model:
     given: Mapping[Indicator, MutableMapping[Row, Origin]]
     facts: MutableMapping[Indicator, Relation]  # all that is at hand until the rows of the rules are listed
     computed: Mapping[Indicator, Computed]
-    maintenance: Maintenance
+    compiled: Compiled
     listed: MutableMapping[Indicator, Relation] | None = None
     changed: bool = False
     round: int = 1 << 40  # of the next change; later than any round of a fixpoint
@@ -69,7 +87,7 @@ class Model:
         program = analyse(clauses, dynamic, bulk, least)
         for indicator in stored:
             check_storable(program, indicator)
-        model = cls(program, program.given, {}, computed, Maintenance(program))
+        model = cls(program, program.given, {}, computed, Compiled(program))
         if is_demanded(program) and not listed_of(program) & set(stored):
             model.facts = facts_of(program)
             index(program, model.facts)
@@ -159,7 +177,7 @@ class Model:
     @cached_property
     def constraints(self) -> Constraints:
         """The constraints, those that the facts alone decide decided now."""
-        return constraints_of(self.program, self.full_search() if self.program.constraints else self.search())
+        return self.compiled.constraints.decided(self.full_search() if self.program.constraints else self.search())
 
     @cached_property
     def code(self) -> Code:
@@ -181,7 +199,7 @@ class Model:
         exact = len(self.program.strata) <= 1 and not self.changed and not (self.program.circular or self.program.least)
         if exact or sum(map(len, self.relations.values())) > MOST_EXACT:
             return self.relations
-        return least_heights(replace(self.program, given=self.given), self.relations)  # type: ignore[arg-type]
+        return self.compiled.heights.of(self.given, self.relations)
 
     def keeps(self, indicator: Indicator) -> bool:
         """Whether facts of the predicate can come and go without a new analysis."""
@@ -207,7 +225,7 @@ class Model:
         here: Change = {indicator: {row: None}}
         try:
             added, removed = (here, {}) if add else ({}, here)
-            self.round = self.maintenance.update(self.given, self.listed, added, removed, self.round)
+            self.round = self.compiled.maintenance.update(self.given, self.listed, added, removed, self.round)
         except TooMuch:
             self._recompute()
         return True
@@ -220,7 +238,7 @@ class Model:
         with self.lock:
             given, facts = Layers(self.given, GivenLayer), Layers(self.facts, LayeredRelation)
             listed = None if self.listed is None else Layers(self.listed, LayeredRelation)
-        kept = self.maintenance, listed, self.changed, self.round
+        kept = self.compiled, listed, self.changed, self.round
         return Model(self.program, given, facts, computed, *kept, self.layers + 1, queries=self.queries)
 
     def apart(self, computed: Mapping[Indicator, Computed]) -> Model:
@@ -231,5 +249,5 @@ class Model:
         with self.lock:
             facts = {i: copied(self.facts[i]) for i in self.facts}
             listed = None if self.listed is None else {i: copied(self.listed[i]) for i in self.listed}
-        kept = self.maintenance, listed, self.changed, self.round
+        kept = self.compiled, listed, self.changed, self.round
         return Model(self.program, given, facts, computed, *kept, queries=self.queries)

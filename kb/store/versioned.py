@@ -9,7 +9,9 @@ from typing import Concatenate, ParamSpec, Self, TypeVar
 from weakref import ref
 
 from casper.kb.errors import ProgramError
-from casper.kb.reasons.validity import History
+from casper.kb.reasons.constraints import History
+from casper.kb.reasons.says import Words
+from casper.kb.reasons.validity import Verdict
 from casper.kb.store.computed import broken, valid
 from casper.kb.store.known import MOST_INDEXED, NOTHING, Known, Statement
 from casper.kb.store.model import Model
@@ -50,6 +52,8 @@ class Versioned:
         self._known: Known = NOTHING  # stored statements that hold, once they are indexed
         self._false: set[Statement] = set()  # statements that were asked and do not hold
         self._validated: dict[Hashable, list[Compound]] = {}  # answers of valid/1, by what was asked
+        self._verdicts: dict[Compound, Verdict] = {}  # of statements of names that were verified before
+        self._worded: dict[str, Words] = {}  # the author's sentences, by language
         self._index_in: int | None = 0  # questions until they are
         self.changes = 0  # how often something was added or taken back: what was asked before may be different now
         self.lock = RLock()  # held while anything changes, and while something is looked up that may
@@ -72,6 +76,7 @@ class Versioned:
                 view = object.__new__(type(self))
                 view._stated, view._cached, view.changes = self._stated, self._model, self.changes
                 view._known, view._false, view._validated = self._known, self._false, self._validated
+                view._verdicts, view._worded = self._verdicts, self._worded
                 view._index_in, view._view, view.lock = None, _frozen, RLock()
                 self._view = ref(view)
             return view
@@ -105,8 +110,12 @@ class Versioned:
     def _forget(self) -> None:
         """Everything has to be worked out anew."""
         self.changes += 1
-        self._cached, self._index_in = None, 0
-        self._known, self._false, self._validated = NOTHING, set(), {}
+        self._cached, self._index_in, self._worded = None, 0, {}
+        self._forget_answers()
+
+    def _forget_answers(self) -> None:
+        """What was asked before may be different now."""
+        self._known, self._false, self._validated, self._verdicts = NOTHING, set(), {}, {}
 
     @property
     def _model(self) -> Model:

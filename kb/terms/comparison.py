@@ -23,6 +23,7 @@ _ORDER: dict[str, Callable[[Any, Any], bool]] = {
     "=:=": are_same,
     "=\\=": differ,
 }
+_SAME = {"=": True, "\\=": False, "\\==": False}  # where nothing is open: whether it holds of what is the same
 
 
 def is_ready(literal: Literal, bindings: Bindings) -> bool:
@@ -62,12 +63,36 @@ def _holds(operator_: str, left: Term, right: Term, bindings: Bindings) -> Bindi
 
 
 def compiled_test(literal: Literal, slots: Mapping[Variable, int]) -> Callable[[Sequence[Term]], bool] | None:
-    """`compare` for an order of numbers whose variables are all known, in an environment; None for other conditions."""
+    """`compare` in an environment, for an order of numbers or for whether a variable is the same as another or an atom.
+
+    None for other conditions. All variables must be known.
+    """
     operator_, left, right = literal.atom
+    if operator_ in _SAME:
+        return _compiled_sameness(left, right, slots, _SAME[operator_] is not literal.negated)
     if operator_ not in _ORDER:
         return None
     holds, one, other, wanted = _ORDER[operator_], compiled(left, slots), compiled(right, slots), not literal.negated
     return lambda environment: holds(one(environment), other(environment)) is wanted
+
+
+def _compiled_sameness(
+    left: Term, right: Term, slots: Mapping[Variable, int], wanted: bool
+) -> Callable[[Sequence[Term]], bool] | None:
+    """Whether a variable has the same value as another, or as an atom; names are compared without unification."""
+    if not isinstance(left, Variable):
+        left, right = right, left
+    if not isinstance(left, Variable) or not isinstance(right, (Variable, str)):
+        return None
+    one, other = slots[left], slots[right] if isinstance(right, Variable) else None
+
+    def test(environment: Sequence[Term]) -> bool:
+        first, second = environment[one], right if other is None else environment[other]
+        if type(first) is str and type(second) is str:
+            return (first == second) is wanted
+        return (unify(first, second, {}) is not None) is wanted
+
+    return test
 
 
 def misspelt(literal: Literal) -> Iterator[str]:

@@ -80,6 +80,17 @@ def test_facts_come_and_go(client: Client) -> None:
     assert not client("ask", statement="agent(eve)")
 
 
+def test_what_was_asked_before_is_answered_anew_when_a_fact_has_changed(client: Client) -> None:
+    asked = {"statement": "eat(eve, meal, plate)"}
+    before = {method: client(method, **asked) for method in ("ask", "truth", "verify", "why", "why_not", "repair")}
+    client("assert", fact="human(eve)")
+    now = {method: client(method, **asked) for method in before}
+    assert (before["truth"], now["truth"]) == ("false", "true")
+    assert all(now[method] != before[method] for method in before)
+    client("retract", fact="human(eve)")
+    assert {method: client(method, **asked) for method in before} == before
+
+
 def test_a_reading_is_what_it_is_in_python(client: Client) -> None:
     reading = Domain.load("kitchen").reading()
     for action in ("pick_and_place(meal, hobs)", "cook(meal, hobs)"):

@@ -12,10 +12,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from casper.kb.bottom_up.circles.doubts import Doubts
-from casper.kb.bottom_up.join import Join
 from casper.kb.bottom_up.size import Room
 from casper.kb.bottom_up.steps import Emit
-from casper.kb.bottom_up.stratum import Stratum
+from casper.kb.bottom_up.stratum import Joins, Stratum
 from casper.kb.errors import BudgetExceeded, NotOnColumns
 from casper.kb.program.declarations import Moded
 from casper.kb.program.program import Program
@@ -103,8 +102,9 @@ class Within(Stratum):
         room: Room,
         within: Mapping[Indicator, Relation],
         absent: Mapping[Indicator, Relation] | None = None,
+        joins: Joins | None = None,
     ) -> None:
-        super().__init__(program, stratum, relations, room, absent)
+        super().__init__(program, stratum, relations, room, absent, joins)
         self.within = within
 
     def _emitter(self, rule: Clause) -> Emit:
@@ -135,13 +135,14 @@ class _Search(Stratum):
 
     def run(self, round_: int) -> int:
         """Evaluate until nothing gets better; the number of rounds."""
-        for rule in self.rules:
+        for number, rule in enumerate(self.rules):
             if self._may_fire(rule):
-                self._run(Join(rule), rule, ())
+                self._run(self.joins.of(number, rule), rule, ())
         recursive = self._recursive()
         while delta := self._take(round_ := round_ + 1):
             for each in (each for indicator in delta for each in recursive.get(indicator, ())):
-                self._run(each.join, each.rule, delta[each.rule.body[each.at].atom.indicator])
+                new = delta[each.rule.body[each.at].atom.indicator]
+                self._run(self.joins.of(each.number, each.rule, each.at), each.rule, new)
             if round_ > sum(map(len, self.best.values())) + 1:  # a row would rest on one of the same key
                 name, arity = min(self.stratum)
                 raise BudgetExceeded(f"the rows of {name}/{arity} improve without end: the answer is unknown")

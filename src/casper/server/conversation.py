@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from casper.engine.domain.domain import Domain
+from casper.engine.domain.remembered import Remembered
 from casper.engine.reading.reading import Reading
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import CasperError
 
 DEFAULT = "partner"  # the reading that is meant where none is named; it is there from the start
 MOST_READINGS = 1000
+MOST_ANSWERS = 1000  # to questions that may be asked again
 
 
 class Conversation:
@@ -19,6 +21,7 @@ class Conversation:
     def __init__(self, domain: Domain) -> None:
         self.domain = domain
         self._readings: dict[str, Reading] = {}
+        self.remembered = Remembered(domain.kb, MOST_ANSWERS)  # answers of the knowledge base as it is
 
     @property
     def kb(self) -> KnowledgeBase:

@@ -24,11 +24,16 @@ MOST_ANSWERS = 10_000
 
 @dataclass(frozen=True, slots=True)
 class Method:
-    """A method: what does it, what it gives (a JSON Schema), and whether it changes anything."""
+    """A method: what does it, and what it gives (a JSON Schema).
+
+    ``changes``: it changes something. ``of_base``: it asks the knowledge base alone and gives little, so its answer is
+    remembered until the base changes.
+    """
 
     run: Callable[..., Any]
     gives: Mapping[str, Any]
     changes: bool = False
+    of_base: bool = False
 
     @property
     def summary(self) -> str:
@@ -190,12 +195,14 @@ def an_object(**properties: Mapping[str, Any]) -> dict[str, Any]:
 
 
 METHODS: dict[str, Method] = {
-    "ask": Method(ask, TRUTH),
+    "ask": Method(ask, TRUTH, of_base=True),
     "query": Method(query, an_object(answers={"type": "array", "items": THING}, more=TRUTH)),
-    "truth": Method(truth, {"enum": ["true", "false", "undefined"]}),
-    "why": Method(why, or_null(an_object(kind={"enum": ["proof", "doubt"]}, tree=THING, text=TEXT))),
-    "why_not": Method(why_not, or_null(TEXTS)),
-    "repair": Method(repair, {"type": "array", "items": {"type": "object", "additionalProperties": TEXTS}}),
+    "truth": Method(truth, {"enum": ["true", "false", "undefined"]}, of_base=True),
+    "why": Method(why, or_null(an_object(kind={"enum": ["proof", "doubt"]}, tree=THING, text=TEXT)), of_base=True),
+    "why_not": Method(why_not, or_null(TEXTS), of_base=True),
+    "repair": Method(
+        repair, {"type": "array", "items": {"type": "object", "additionalProperties": TEXTS}}, of_base=True
+    ),
     "verify": Method(
         verify,
         an_object(
@@ -206,6 +213,7 @@ METHODS: dict[str, Method] = {
             reasons=TEXTS,
             repair={"type": "array", "items": THING},
         ),
+        of_base=True,
     ),
     "assert": Method(assert_, TRUTH, changes=True),
     "retract": Method(retract, TRUTH, changes=True),

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any, BinaryIO
 
 from casper.engine.domain.domain import Domain
@@ -77,7 +78,7 @@ class Server:
             raise ProtocolError("method", f"there is no method {request.method!r}; there are {known}")
         given = arguments(method.run, request.params)
 
-        def work() -> Any:
-            return method.run(self.conversation, **given)
-
-        return told(work if method.changes else lambda: self._stopper.run(request.id, work))
+        work: Callable[[], Any] = partial(method.run, self.conversation, **given)
+        if method.of_base:
+            work = partial(self.conversation.remembered.of, (request.method, *sorted(given.items())), work)
+        return told(work if method.changes else partial(self._stopper.run, request.id, work))

@@ -15,7 +15,8 @@ from casper.engine.reading.reading import Reading
 from casper.engine.verification.observation import Observed
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import BudgetExceeded, Undefined
-from casper.kb.reasons.validity import History, Verdict
+from casper.kb.reasons.constraints import History
+from casper.kb.reasons.validity import Verdict
 from casper.kb.terms.terms import Compound, Term
 from casper.kb.text.writer import answer_text
 

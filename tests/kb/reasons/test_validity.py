@@ -164,6 +164,28 @@ def test_a_constraint_may_rest_on_another():
     assert list(base.query("bad(S)")) == [{"S": "x"}]
 
 
+def test_a_verdict_follows_the_facts():
+    kb = KnowledgeBase.from_text(HOME)
+    asked = ("eat", "eve", "egg", "plate")
+    assert kb.verify(asked).valid is False
+    kb.assert_("human(eve)")
+    assert kb.verify(asked).valid is True and kb.verify(asked) == kb.verify("eat(eve, egg, plate)")
+    kb.assert_("robot(eve)")
+    kb.retract("human(eve)")
+    assert kb.verify(asked).reasons == KnowledgeBase.from_text(HOME + "robot(eve).").verify(asked).reasons
+
+
+def test_a_verdict_on_the_facts_is_not_one_after_something_happened():
+    kb = KnowledgeBase.from_text(HOME)
+    asked, done = "eat(ann, egg, plate)", [(Compound(("eat", "ann", "egg", "plate")), 1.0)]
+    assert [kb.verify(asked).valid, kb.verify(asked, done).valid, kb.verify(asked).valid] == [True, False, True]
+
+
+def test_a_number_is_judged_as_it_was_written():
+    kb = KnowledgeBase.from_text(HOME)
+    assert [str(kb.verify(("say", "ann", n)).statement) for n in (8, 8.0)] == ["say(ann, 8)", "say(ann, 8.0)"]
+
+
 def test_valid_lists_every_valid_statement():
     base = home()
     base.declare_statements([("eat", 3), ("wash", 3)])

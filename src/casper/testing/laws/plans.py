@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from hypothesis import given
 
 from casper.engine.domain.domain import Domain
-from casper.kb.reasons.validity import History
+from casper.kb.reasons.constraints import History
 from casper.kb.terms.terms import Compound, Variable
 from casper.kb.terms.unification import is_ground
 from casper.kb.text.reader import read_statement

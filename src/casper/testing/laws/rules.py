@@ -9,7 +9,7 @@ from hypothesis import given
 
 from casper.engine.domain.domain import Domain
 from casper.kb.base import KnowledgeBase
-from casper.kb.reasons.validity import History
+from casper.kb.reasons.constraints import History
 from casper.kb.terms.clauses import Clause
 from casper.kb.terms.terms import Compound, Term
 from casper.kb.terms.unification import is_ground, substitute, variables_of
