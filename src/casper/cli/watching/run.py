@@ -44,6 +44,7 @@ def run(
     from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
     from casper.engine.events.timeline import Timeline
+    from casper.engine.live.memory import keep_loaded
 
     _check_speed(speed)
     loaded = Domain.load(domain)
@@ -53,6 +54,7 @@ def run(
     day = (",".join(goal) if goal else None, seed, not no_verification, not no_robot, policy, noise, goals)
     trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind))
     out, timeline = console(), Timeline(loaded.partner, loaded.robot)
+    keep_loaded()
     if not as_json:
         show(out, timeline.open(loaded.name, seed))
     for event in _paced(trial.events(), speed):
