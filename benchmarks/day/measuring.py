@@ -15,6 +15,7 @@ from rivals import BayesianFilter, Listed, phatt_goals
 
 from casper.engine.episodes.day import Day
 from casper.engine.episodes.enumerated import Enumerated
+from casper.engine.live.memory import keep_loaded
 from casper.engine.reading.reading import nobody_can
 from casper.engine.verification.matching import ParameterMatcher
 from casper.engine.verification.observation import Observation
@@ -47,7 +48,8 @@ class Score:
 
 
 def fresh(plans: Sequence[Plan]) -> Day:
-    """A day with the default prices, by parameters."""
+    """A day with the default prices, by parameters; what was loaded is kept for good, as the commands do."""
+    keep_loaded()
     return Day(Enumerated(plans, ParameterMatcher(plans), nobody_can))
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from copy import copy
+from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any, Generic
 
@@ -37,8 +38,8 @@ class Day(Generic[S]):
     """Hypotheses about which goals are open, and what became of those that closed.
 
     Memory and time an observation do not grow with the day: what closed leaves the state, and what was observed more
-    than ``bounds.lag`` observations ago can neither be taken back nor told any more, but for the episodes that `closed`
-    hands out.
+    than ``bounds.lag`` observations ago cannot be told any more, but for the episodes that `closed` hands out. The last
+    ``bounds.undo`` observations can be taken back.
 
     Args:
         growing: the plans.
@@ -101,6 +102,9 @@ class Day(Generic[S]):
             after = self._advance.observed(level, event)
         self._growing.observed(seen, agent, t)
         self._levels.append(after)
+        beyond = -2 - self.bounds.undo
+        if len(self._levels) >= -beyond:  # nobody goes back as far, and hypotheses are what takes room
+            self._levels[beyond] = replace(self._levels[beyond], hypotheses=())
         self._told += [self._teller.closed(closed) for closed in after.settled]
 
     def _number_of(self, goal: str) -> int:
@@ -122,8 +126,9 @@ class Day(Generic[S]):
         Raises:
             CasperError: there is none, or it lies too far back.
         """
-        if len(self._levels) < 2:
-            beyond = f"; a day remembers its last {self.bounds.lag}" if self._levels[-1].number else ""
+        if len(self._levels) < 2 or not self._levels[-2].hypotheses:
+            most = min(self.bounds.lag, self.bounds.undo)
+            beyond = f"; a day remembers its last {most}" if self._levels[-1].number else ""
             raise CasperError(f"there is no observation to take back{beyond}")
         level = self._levels.pop()
         self._growing.forget()

@@ -50,9 +50,15 @@ class Advance(Generic[S]):
         return replace(self._level(level, event, made, {}, 0.0), foreign=foreign)
 
     def over(self, level: Level[S]) -> Level[S]:
-        """The level when nothing more will be observed: everything open is closed."""
+        """The level when nothing more will be observed: everything open is closed.
+
+        What is told is the heaviest hypothesis of the likeliest set of goals.
+        """
         closed = [self._without(h, range(len(h.instances)), level.number) for h in level.hypotheses]
-        best = max(closed, key=lambda hypothesis: hypothesis.weight)
+        shares: dict[tuple[tuple[int, str], ...], float] = {}
+        for hypothesis in closed:
+            shares[_goals(hypothesis)] = shares.get(_goals(hypothesis), 0.0) + hypothesis.weight
+        best = max(closed, key=lambda hypothesis: (shares[_goals(hypothesis)], hypothesis.weight))
         taken = {at for told in level.told for at in numbers(told.link)}
         settled = tuple(found for found in best.closed if not contradicts(found, taken))
         told = (*level.told, *settled)
@@ -136,17 +142,26 @@ class Advance(Generic[S]):
         return _scaled(hypothesis, factor)._replace(instances=kept, closed=tuple(closed))
 
     def _over(self, instance: Instance[S], costs: Sequence[float], number: int) -> Closed[S]:
-        """An instance that closed undone: finished unseen, or given up, whichever is cheaper to believe."""
-        at = max(range(len(costs)), key=costs.__getitem__)
-        entry, owner = instance.body.entries[at], instance.body.owner
+        """An instance that closed undone, of its likeliest goal: finished unseen or given up, the cheaper one."""
+        entries, owner = instance.body.entries, instance.body.owner
+        shares: dict[int, float] = {}
+        for entry, cost in zip(entries, costs):
+            shares[entry.goal] = shares.get(entry.goal, 0.0) + cost
+        at = max(range(len(costs)), key=lambda number: (shares[entries[number].goal], costs[number]))
+        entry = entries[at]
         left = self.growing.least_left(entry.state)
         outcome: Outcome = "finished" if self.prices.missed**left >= self.prices.abandon else "abandoned"
-        goal = sum(cost for other, cost in zip(instance.body.entries, costs) if other.goal == entry.goal)
-        return Closed(entry.goal, owner, outcome, instance.links[at], left, number, goal / sum(costs))
+        sure = shares[entry.goal] / sum(costs)
+        return Closed(entry.goal, owner, outcome, instance.links[at], left, number, sure)
 
 
 def _needless(parent: Hypothesis[S], weight: float, best: float, number: int) -> Hypothesis[S]:
     return parent._replace(weight=weight, best=best, needless=(*parent.needless, number))
+
+
+def _goals(hypothesis: Hypothesis[S]) -> tuple[tuple[int, str], ...]:
+    """The goals of the episodes that closed, and whose they were."""
+    return tuple(sorted((closed.goal, closed.owner or "") for closed in hypothesis.closed))
 
 
 def _scaled(hypothesis: Hypothesis[S], factor: float) -> Hypothesis[S]:

@@ -23,7 +23,8 @@ class Bounds:
 
     keep: the heaviest hypotheses, none below ``floor`` of the heaviest one's weight. entries: what one instance may
     be, none below ``least`` of its likeliest one. tries: how many states of instances one observation is tried on; the
-    lightest hypotheses are dropped for it. lag: for how many observations what was believed and what closed is kept.
+    lightest hypotheses are dropped for it. lag: for how many observations what was seen and what closed is kept. undo:
+    how many observations can be taken back.
     """
 
     keep: int = 300
@@ -32,10 +33,11 @@ class Bounds:
     least: float = 1e-3
     tries: int = 4000
     lag: int = 100
+    undo: int = 20
 
     def __post_init__(self) -> None:
-        least = min(self.keep, self.entries, self.tries, self.lag)
-        require(least >= 1, "keep, entries, tries and lag of a day start at 1")
+        least = min(self.keep, self.entries, self.tries, self.lag, self.undo)
+        require(least >= 1, "keep, entries, tries, lag and undo of a day start at 1")
         require(0 <= self.floor < 1 and 0 <= self.least < 1, "floor and least of a day are from 0 and below 1")
 
 

@@ -46,7 +46,7 @@ class Asking:
             self.looks_back = self.kb is not None and self.kb.depends_on_history
             self.asks_goals = self.kb is not None and self.kb.defines("goal", 1)
             self._known: dict[Asked, Any] = {}
-            self.closing: dict[Any, bool] = {}  # of links (`corners`): whether they can close
+            self.closing: dict[Any, bool] = {}  # of links (`corners`) and whole states: whether they can close
             self._groups: dict[tuple[Asked, ...], bool | None] = {}
             self._joined: dict[Any, Env | Failed] = {}
             self._domains: dict[Asked, dict[Any, frozenset[Any]]] = {}

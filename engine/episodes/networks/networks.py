@@ -27,9 +27,11 @@ from casper.engine.episodes.networks.terms import (
     Env,
     Row,
     Slot,
+    interned,
     inward,
     numbered,
     outward,
+    slot,
 )
 from casper.engine.verification.matching import ROBOT
 from casper.engine.verification.observation import Observation, Seen, options_of
@@ -49,14 +51,21 @@ MOST_KEPT = 50_000  # of anything that is remembered of states
 
 
 class State(NamedTuple):
-    """A goal's number, its term, the row of its open items, the conditions that wait for values; how many slots it has.
-    """
+    """A goal's number, its term, the row of its open items, the conditions that wait; and how many slots it has."""
 
     goal: int
     term: Any
     rest: Row
     open: tuple[Asked, ...]
     slots: int
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _state, tuple(self)
+
+
+def _state(goal: int, *parts: Any) -> State:
+    """A state that came from another process."""
+    return State(goal, *map(interned, parts))
 
 
 class Networks:
@@ -91,6 +100,7 @@ class Networks:
         self.was_cut = False
         self._growths: dict[tuple[Observation, str | None, int], Growth] = {}
         self._choices: dict[State, int] = {}
+        self._least: dict[Row, int] = {}
 
     # --- what there is ---------------------------------------------------------------------------------------------
 
@@ -165,12 +175,21 @@ class Networks:
                 if noted is not None:
                     noted.extend(needed.reasons)
                 continue
-            if not growth.can_close(taken.rest, env, needed):
-                continue
             after = State(state.goal, term, rest, numbered(needed, env, names), len(names))
+            if not self._can_close(after, growth):
+                continue
             leaf = numbered(taken.leaf, env, names)
             yield Step(after, taken.missed, outward(leaf), 1.0, taken.is_theirs, taken.settled)
         self.was_cut = self.was_cut or growth.was_cut
+
+    def _can_close(self, state: State, growth: Growth) -> bool:
+        """Whether what is open may still be done."""
+        known, key = self.asking.closing, (state.rest, state.open)
+        if key not in known:
+            if len(known) > MOST_KEPT:
+                known.clear()
+            known[key] = growth.can_close(state.rest, {}, state.open)
+        return known[key]
 
     def _growth(self, option: Observation, agent: str | None, noted: list[str] | None = None) -> Growth:
         """What is known of how tasks take an observation now."""
@@ -180,7 +199,7 @@ class Networks:
             args = None if self.by_name else option.args
             unknown: dict[Variable, Slot] = {}
             for variable in variables_of(*(args or ())):
-                unknown[variable] = Slot(-1 - len(unknown))
+                unknown[variable] = slot(-1 - len(unknown))
             action = (option.action, *(inward(arg, unknown) for arg in args or ()))
             arity = None if args is None else len(args)
             growth = Growth(self.methods, self.asking, action, arity, agent, self.robot, noted)
@@ -230,7 +249,12 @@ class Networks:
 
     def least_left(self, state: State) -> int:
         """The fewest leaves that must still be done, by the grammar's table: conditions and parameters are left out."""
-        return int(self.methods.least_of_row(state.rest))
+        known = self._least.get(state.rest)
+        if known is None:
+            if len(self._least) > MOST_KEPT:
+                self._least.clear()
+            known = self._least[state.rest] = int(self.methods.least_of_row(state.rest))
+        return known
 
     # --- what is told ----------------------------------------------------------------------------------------------
 
@@ -263,7 +287,7 @@ class Networks:
 
     def __getstate__(self) -> dict[str, Any]:
         """What it was made of: what was worked out is worked out anew where it arrives."""
-        return {**self.__dict__, "_growths": {}, "_choices": {}, "methods": None}
+        return {**self.__dict__, "_growths": {}, "_choices": {}, "_least": {}, "methods": None}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
@@ -309,9 +333,7 @@ class Networks:
         tree: nx.DiGraph = nx.DiGraph()
         common = {"optional": False, "rival": None}
         shared = "observed" if all(status == "observed" for _, status, _ in rows) else "unobserved"
-        tree.add_node(
-            0, term=_text(told), name=told.functor, kind="goal", leaf=None, status=shared, by=None, **common
-        )
+        tree.add_node(0, term=_text(told), name=told.functor, kind="goal", leaf=None, status=shared, by=None, **common)
         for number, (leaf, status, by) in enumerate(rows, 1):
             who = None if by is None else term_text(by)
             node = {"term": _text(leaf), "name": leaf.functor, "kind": "action", "leaf": number - 1}

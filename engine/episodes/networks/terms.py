@@ -12,64 +12,48 @@ A term is a constant, a `Slot`, or a tuple ``(functor, argument, …)``. An *ite
     (REP, item, least, most)
     (LINK, task, begun, moment)  a task that is under way, and what was done of it (`corners`)
 
-Slots are interned, tags are unique: both are compared by identity.
+Slots are interned, tags are strings that no text can hold: both are compared by identity.
 """
 
 from __future__ import annotations
 
 from typing import Any, TypeAlias
 
+from casper.kb.errors import PlanError
 from casper.kb.terms.terms import Compound, Term, Variable
 
 Env: TypeAlias = "dict[Slot, Any]"  # a triangular substitution
 Row: TypeAlias = "tuple[Any, ...]"  # of items
 
 
-class Slot:
-    """A variable, by its number; there is one object for each number."""
-
-    __slots__ = ("number",)
-
-    def __init__(self, number: int) -> None:
-        self.number = number
-
-    def __repr__(self) -> str:
-        return f"_{self.number}"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return slot, (self.number,)
-
-
-class Tag:
-    """What kind of item a tuple is; there is one object for each kind."""
-
-    __slots__ = ("name",)
-
-    def __init__(self, name: str) -> None:
-        self.name = name
-
-    def __repr__(self) -> str:
-        return self.name
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return tag, (self.name,)
-
-
-_SLOTS = [Slot(number) for number in range(64)]
-_TAGS = {name: Tag(name) for name in ("ACT", "CALL", "COND", "PAR", "SEQ", "OPT", "ALT", "REP", "LINK")}
-ACT, CALL, COND, PAR, SEQ, OPT, ALT, REP, LINK = _TAGS.values()
+Slot = bytes
+"""A variable, by its number in digits. Terms of the language have no byte strings; and Python's garbage collector
+leaves tuples alone that hold nothing but byte strings, texts and numbers, and states are made of very many of those."""
+_SLOTS: list[Slot] = []
+_NUMBERS: dict[Slot, int] = {}
+_TAGS = {f"\udcfe{name}": name for name in ("ACT", "CALL", "COND", "PAR", "SEQ", "OPT", "ALT", "REP", "LINK")}
+_INTERNED = {text: text for text in _TAGS}
+ACT, CALL, COND, PAR, SEQ, OPT, ALT, REP, LINK = _TAGS
 
 
 def slot(number: int) -> Slot:
-    """The variable of that number."""
+    """The variable of that number; those below 0 stand for what is not known of an observation."""
+    if number < 0:
+        return b"%d" % number
     while number >= len(_SLOTS):
-        _SLOTS.append(Slot(len(_SLOTS)))
+        made = b"%d" % len(_SLOTS)
+        _NUMBERS[made] = len(_SLOTS)
+        _SLOTS.append(made)
     return _SLOTS[number]
 
 
-def tag(name: str) -> Tag:
-    """The tag of that name."""
-    return _TAGS[name]
+def interned(term: Any) -> Any:
+    """A term that came from another process, with this one's slots and tags."""
+    if term.__class__ is Slot:
+        return slot(int(term))
+    if term.__class__ is tuple:
+        return tuple([interned(part) for part in term])
+    return _INTERNED.get(term, term) if term.__class__ is str else term
 
 
 def resolve(term: Any, env: Env) -> Any:
@@ -83,11 +67,11 @@ def resolve(term: Any, env: Env) -> Any:
             term = value
             kind = term.__class__
         return resolve(term, env) if kind is tuple else term
-    if kind is not tuple:
+    if kind is not tuple or not env:
         return term
     for at, part in enumerate(term):
         kind = part.__class__
-        if kind is tuple or kind is Slot:
+        if kind is tuple or (kind is Slot and part in env):
             found = resolve(part, env)
             if found is not part:
                 return (*term[:at], found, *[resolve(rest, env) for rest in term[at + 1 :]])
@@ -98,16 +82,34 @@ def moved(term: Any, by: int) -> Any:
     """The term with every slot's number that much higher."""
     kind = term.__class__
     if kind is Slot:
-        return slot(term.number + by)
-    return tuple([moved(part, by) for part in term]) if kind is tuple else term
+        return slot(_NUMBERS[term] + by)
+    if kind is not tuple:
+        return term
+    parts = list(term)
+    for at, part in enumerate(term):
+        kind = part.__class__
+        if kind is Slot:
+            parts[at] = slot(_NUMBERS[part] + by)
+        elif kind is tuple:
+            parts[at] = moved(part, by)
+    return tuple(parts)
 
 
 def filled(term: Any, frame: list[Any]) -> Any:
     """The term with every slot replaced by what stands at its number."""
     kind = term.__class__
     if kind is Slot:
-        return frame[term.number]
-    return tuple([filled(part, frame) for part in term]) if kind is tuple else term
+        return frame[_NUMBERS[term]]
+    if kind is not tuple:
+        return term
+    parts = list(term)
+    for at, part in enumerate(term):
+        kind = part.__class__
+        if kind is Slot:
+            parts[at] = frame[_NUMBERS[part]]
+        elif kind is tuple:
+            parts[at] = filled(part, frame)
+    return tuple(parts)
 
 
 def numbered(term: Any, env: Env, names: dict[Slot, Slot]) -> Any:
@@ -130,7 +132,17 @@ def numbered(term: Any, env: Env, names: dict[Slot, Slot]) -> Any:
     if term and term[0] is PAR and not any(term[2]):
         items = sorted(_flat(term, env), key=shape)
         return (PAR, tuple([numbered(item, env, names) for item in items]), (0,) * len(items))
-    return tuple([numbered(part, env, names) for part in term])
+    parts = list(term)
+    for at, part in enumerate(term):  # as above for each part, without a call for those that need none
+        kind = part.__class__
+        if kind is Slot and part not in env:
+            name = names.get(part)
+            if name is None:
+                name = names[part] = slot(len(names))
+            parts[at] = name
+        elif kind is tuple or kind is Slot:
+            parts[at] = numbered(part, env, names)
+    return tuple(parts)
 
 
 def _flat(group: Any, env: Env) -> list[Any]:
@@ -158,9 +170,10 @@ def shape(item: Any) -> str:
 
 
 def _shape(item: Any) -> str:
-    if item.__class__ is Slot:
-        return "_"
-    return f"({' '.join(map(_shape, item))})" if item.__class__ is tuple else repr(item)
+    kind = item.__class__
+    if kind is not tuple:
+        return "_" if kind is Slot else _TAGS.get(item) or repr(item)
+    return f"({' '.join([part if part.__class__ is str else _shape(part) for part in item])})"
 
 
 def slots_of(term: Any, found: dict[Slot, None]) -> dict[Slot, None]:
@@ -170,7 +183,11 @@ def slots_of(term: Any, found: dict[Slot, None]) -> dict[Slot, None]:
         found[term] = None
     elif kind is tuple:
         for part in term:
-            slots_of(part, found)
+            kind = part.__class__
+            if kind is Slot:
+                found[part] = None
+            elif kind is tuple:
+                slots_of(part, found)
     return found
 
 
@@ -203,16 +220,22 @@ def unified(left: Any, right: Any, env: Env) -> Env | None:
 
 
 def inward(term: Term, slots: dict[Variable, Slot]) -> Any:
-    """A term of the language as one of ours; ``slots`` grows."""
+    """A term of the language as one of ours; ``slots`` grows.
+
+    Raises:
+        PlanError: a byte string, which somebody's Python code brought along.
+    """
     if isinstance(term, Variable):
         if term not in slots:
             slots[term] = slot(len(slots))
         return slots[term]
+    if isinstance(term, bytes):
+        raise PlanError("plans that are not listed take no byte strings")
     return tuple([inward(part, slots) for part in term]) if isinstance(term, tuple) else term
 
 
 def outward(term: Any) -> Term:
     """One of our terms as a term of the language."""
     if term.__class__ is Slot:
-        return Variable(f"X{term.number + 1}")
+        return Variable(f"X{int(term) + 1}")
     return Compound([outward(part) for part in term]) if term.__class__ is tuple else term

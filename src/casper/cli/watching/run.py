@@ -59,6 +59,7 @@ def run(
     from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
     from casper.engine.events.timeline import Timeline
+    from casper.engine.live.memory import keep_loaded
 
     _check_speed(speed)
     loaded = Domain.load(domain, language)
@@ -68,6 +69,7 @@ def run(
     day = (",".join(goal) if goal else None, seed, not no_verification, not no_robot, policy, noise, goals)
     trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind))
     out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
+    keep_loaded()
     if not as_json and not quiet:
         show(out, timeline.open(loaded.name, seed))
     with progress("simulating", None, quiet or sys.stdout.isatty()):

@@ -40,10 +40,12 @@ def watch(
     from casper.engine.domain.domain import Domain
     from casper.engine.events.timeline import Timeline
     from casper.engine.live import Partners
+    from casper.engine.live.memory import keep_loaded
 
     loaded = Domain.load(domain, language)
     minds = Partners(loaded, verification=not no_verification, policy=policy, noise=noise, goals=goals, stops=stop)
     out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
+    keep_loaded()
     for event in watched(minds, _lines(sys.stdin), reload):
         if as_json:
             print_json(event.to_json())

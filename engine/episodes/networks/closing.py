@@ -1,0 +1,118 @@
+"""Whether what is open may still be done: by the heads of methods, and for tasks under way by a search upwards.
+
+A task whose parameters fit no method, or one under way from which no way leads to all of it, is dropped with its state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any, TypeAlias
+
+from casper.engine.episodes.networks.asking import Asked, Asking, Failed
+from casper.engine.episodes.networks.methods import Methods
+from casper.engine.episodes.networks.terms import (
+    CALL,
+    LINK,
+    PAR,
+    SEQ,
+    Env,
+    Row,
+    Slot,
+    numbered,
+    resolve,
+    slots_of,
+    unified,
+)
+
+MOST_TRIED = 100  # links looked at to see whether one can close
+Upwards: TypeAlias = "Callable[[Any, int], Iterator[tuple[Row, Env, tuple[Asked, ...]]]]"
+
+
+class _Open:
+    """Open conditions, bound as far as is known, with the slots that each says something of."""
+
+    def __init__(self, due: tuple[Asked, ...], env: Env) -> None:
+        self._due, self._env = due, env
+        self._bound: list[tuple[Asked, dict[Slot, None]]] | None = None
+
+    def about(self, link: Any) -> tuple[Asked, ...]:
+        """Those that say something of the slots of a link that is bound, too."""
+        if not self._due:
+            return ()
+        if self._bound is None:
+            bound = [(moment, resolve(relation, self._env)) for moment, relation in self._due]
+            self._bound = [(asked, slots_of(asked[1], {})) for asked in bound]
+        own = slots_of(link, {}).keys()
+        return tuple([asked for asked, slots in self._bound if not own.isdisjoint(slots)])
+
+
+class Closing:
+    """Whether open items may still be done.
+
+    Args:
+        methods: the grammar.
+        asking: the knowledge base.
+        upwards: what comes next where a task was done that another one began with, and the link on (`passing`).
+    """
+
+    def __init__(self, methods: Methods, asking: Asking, upwards: Upwards) -> None:
+        self.methods, self.asking, self._upwards = methods, asking, upwards
+        self._fitting: dict[Any, bool] = {}
+        self._links: dict[tuple[Any, tuple[Asked, ...]], bool] = {}
+
+    def can_close(self, row: Row, env: Env, due: tuple[Asked, ...]) -> bool:
+        """Whether every task that is open or under way may still be done, by what is known of its parameters."""
+        return self._row(row, env, _Open(due, env))
+
+    def _row(self, row: Row, env: Env, open_: _Open) -> bool:
+        for item in row:
+            kind = item[0]
+            if kind is LINK and not self._link(resolve(item, env), open_):
+                return False
+            if kind is CALL and not self._fits(resolve(item[1], env)):
+                return False
+            if (kind is PAR or kind is SEQ) and not self._row(item[1], env, open_):
+                return False
+        return True
+
+    def _fits(self, term: Any) -> bool:
+        """Whether a task can be done, by the heads of its methods."""
+        known = self._fitting.get(term)
+        if known is None:
+            known = self._fitting[term] = self.methods.fits(numbered(term, {}, {}))
+        return known
+
+    def _link(self, link: Any, open_: _Open) -> bool:
+        """Whether there is a way upwards from what was done of a task to all of it, by their parameters and conditions.
+
+        After `MOST_TRIED` steps it is taken for granted.
+        """
+        if self.asking.kb is None and len(link[1]) == 1:
+            return True
+        key = link, open_.about(link)
+        known = self._links.get(key)
+        if known is None:
+            start = numbered(key, {}, {})
+            known = self.asking.closing.get(start)
+            if known is None:
+                known = self.asking.closing[start] = self._search(start)
+            self._links[key] = known
+        return known
+
+    def _search(self, start: Any) -> bool:
+        seen, waiting = {start}, [start]
+        while waiting and len(seen) < MOST_TRIED:
+            link, due = waiting.pop()
+            closed = unified(link[1], link[2], {})
+            if closed is not None and not isinstance(self.asking.settled(due, closed), Failed):
+                return True
+            for row, env, asked in self._upwards(link, len(slots_of((link, due), {}))):
+                settled = self.asking.settled((*due, *asked), env)
+                if not isinstance(settled, Failed):
+                    env, due_then = settled
+                    onward = resolve(row[-1], env)
+                    after = numbered((onward, _Open(due_then, env).about(onward)), {}, {})
+                    if after not in seen:
+                        seen.add(after)
+                        waiting.append(after)
+        return bool(waiting)
