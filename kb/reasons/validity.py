@@ -24,7 +24,7 @@ from casper.kb.terms.terms import Compound, Term, as_term, predication
 from casper.kb.terms.unification import Bindings, is_ground, substitute
 from casper.kb.terms.unknown import DOUBT
 from casper.kb.terms.values.moments import Moment
-from casper.kb.text.lines import Line, one_line, text_of
+from casper.kb.text.lines import Line, Shown, one_line, text_of
 from casper.kb.top_down.compiled.cells import rigid
 from casper.kb.top_down.solve import Solver
 
@@ -34,7 +34,7 @@ _CLAIM: Indicator = ("claim", 1)
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class Verdict(Shown):
     """The outcome of a verification.
 
     ``valid`` is None when it is undefined or the search ran out of its budget (``remark`` says which). ``completed`` is
