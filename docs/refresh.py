@@ -1,12 +1,13 @@
-"""What commands print, written anew onto the pages: ``python docs/refresh.py [PAGE…]``. Look at the difference then.
+"""What commands print, written anew onto the pages: ``python docs/refresh.py [FILE…]``. Look at the difference then.
 
 A page is visited as the tests do (`tests/helpers/visits.py`). Of a command whose output the page does not show any
 more, the lines that the page showed are looked for in what is printed now, numbers and bars aside: those are kept, what
-stood for other lines (⋮) stays, and what is new between two of them is written between them.
+stood for other lines (⋮) stays, and what is new between two of them is written between them. Notebooks are executed.
 """
 
 from __future__ import annotations
 
+import doctest
 import re
 import sys
 import tempfile
@@ -15,6 +16,7 @@ from pathlib import Path
 
 sys.path[:0] = [str(Path(__file__).resolve().parent.parent / part) for part in ("src", "tests/helpers")]
 
+from notebooks import NOTEBOOKS, executed  # noqa: E402
 from pages import PAGES, ROOT, blocks_of  # noqa: E402
 from visits import ANY_LINES, ANY_TEXT, Visit, assert_prints  # noqa: E402
 
@@ -48,6 +50,18 @@ class Refreshing(Visit):
         except AssertionError:
             print(place)
             self.written = self.written.replace(shown, refreshed(shown, printed), 1)
+
+    def session(self, session: doctest.DocTest) -> None:
+        """Correct what a session shows."""
+
+        def wrong(out: object, test: doctest.DocTest, example: doctest.Example, got: str) -> None:
+            print(f"{test.name}:{test.lineno}: {example.source}", end="")
+            last = example.source.rstrip("\n").splitlines()[-1]
+            self.written = self.written.replace(f"{last}\n{example.want}", f"{last}\n{got}", 1)
+
+        runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
+        runner.report_failure = wrong  # type: ignore[method-assign]
+        runner.run(session, out=lambda text: None, clear_globs=False)
 
 
 def refreshed(shown: str, printed: str) -> str:
@@ -86,6 +100,15 @@ def _shortened(shown: str, printed: str) -> str:
     return printed[: len(before)] + cut if cut and shown.endswith(ANY_TEXT) else printed
 
 
+def execute(file: Path) -> None:
+    """Write the outputs of a notebook anew."""
+    import nbformat
+
+    notebook = nbformat.read(file, 4)
+    with tempfile.TemporaryDirectory() as folder:
+        nbformat.write(executed(notebook, folder), file)
+
+
 if __name__ == "__main__":
-    for each in [ROOT / name for name in sys.argv[1:]] or PAGES:
-        refresh(each)
+    for each in [ROOT / name for name in sys.argv[1:]] or [*PAGES, *NOTEBOOKS]:
+        (execute if each.suffix == ".ipynb" else refresh)(each)

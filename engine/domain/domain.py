@@ -62,7 +62,7 @@ class Domain(Readings, Shown):
 
         Raises:
             DomainError: no such domain, or a folder with nothing in it (the sentence lists the shipped ones), or a file
-            that is no regular one or too large, or a language in which nothing is said.
+                that is no regular one or too large, or a language in which nothing is said.
             ReadError, ProgramError, PlanError: a mistake in its text, with file and line.
         """
         folder = find_domain(name)
@@ -89,7 +89,7 @@ class Domain(Readings, Shown):
 
         Raises:
             ReadError, ProgramError, PlanError: a mistake in a text, with the name of its file and the line. There is
-            nothing to include or use from here.
+                nothing to include or use from here.
         """
         texts = dict(zip(FILES, (ontology, plans, actions, movements, scene, words)))
         sentences = {file: read_text(text, file) for file, text in texts.items() if text is not None}

@@ -111,6 +111,10 @@ class Visit:
     def _session(self, block):
         session = doctest.DocTestParser().get_doctest(block.text, self.scope, block.page, block.page, block.line - 1)
         session.globs = self.scope  # what a session binds stays bound
+        self.session(session)
+
+    def session(self, session):
+        """Hold what a session shows against what it does."""
         told = []
         runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
         assert runner.run(session, out=told.append, clear_globs=False).failed == 0, "".join(told)

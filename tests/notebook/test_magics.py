@@ -70,8 +70,7 @@ def test_ask_says_yes_or_no_where_nothing_is_open(home, question, told):
 
 def test_ask_says_no_only_where_there_is_none(shell):
     shell.run_cell_magic("casper", "", "win(X) :- move(X, Y), \\+ win(Y).\nmove(d, d).")
-    asked = str(shell.run_line_magic("ask", "win(X)"))
-    assert asked.startswith("undefined: ") and "no" not in asked.split()
+    assert str(shell.run_line_magic("ask", "win(X)")) == "X = d is undefined: win(d) is undefined"
 
 
 def test_ask_shows_the_first_twenty(shell):

@@ -69,7 +69,7 @@ def asked(kb: KnowledgeBase, question: str, most: int = MOST) -> Asked:
         for answer in islice(kb.query(question), most + 1):
             found.append({name: term_text(value) for name, value in answer.items()})
     except Undefined as mistake:
-        doubt = f"undefined: {mistake.sentence}"
+        doubt = mistake.sentence
     except BudgetExceeded as mistake:
         doubt = f"unknown: {mistake.sentence}"
     names = tuple(found[0]) if found else ()
