@@ -1,6 +1,6 @@
 """A visit to a page: its blocks run in order, in a folder of their own, and what they print is compared with the page.
 
-    prolog    is read; with a title it is the file of that name from then on
+    prolog    is read; with a title it is the file of that name from then on, or is added to it
     python    is run, all of a page in one scope; with prompts (>>>) what it shows is compared, too
     console   lines that begin with $ are commands, what stands below is what they print
     json      is read, line by line
@@ -34,6 +34,7 @@ from casper.kb.text.reader import read_text
 EXTRAS = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
 INSTALLING = re.findall(r"^```sh\n(.*)\n```$", (ROOT / "README.md").read_text(), re.M)
 ANY_LINES, ANY_TEXT = "⋮", "…"
+ADDED = "add to "  # before a file's name in a title
 
 
 class Visit:
@@ -68,10 +69,10 @@ class Visit:
 
     def _file(self, block):
         assert block.title, f"{block.place}: a file without a name"
-        path = Path(block.title)
+        path, is_added = Path(block.title.removeprefix(ADDED)), block.title.startswith(ADDED)
         assert not path.is_absolute() and ".." not in path.parts
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(block.text)
+        path.write_text((path.read_text() if is_added else "") + block.text)
 
     def _copy(self, block):
         """A file of this repository, and where it is to lie."""
