@@ -19,7 +19,7 @@ from casper.kb.terms.clauses import Clause, Production, Sentence
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import renamed, substitute, unify, variables_of
-from casper.kb.text.lines import text_of
+from casper.kb.text.lines import Shown, text_of
 from casper.kb.text.reader import read_statement, read_text
 from casper.kb.text.writer import program_lines, program_text
 from casper.plans.grammar.expansion import MOST_PLANS, Unlisted, expand, labels
@@ -34,7 +34,7 @@ GOAL = ("goal", 1)
 RECURSION = ("setting", "plans", "recursion")
 
 
-class PlanLibrary:
+class PlanLibrary(Shown):
     """Productions and goals in the author's order.
 
     ``ways`` holds a `Plan` for each goal, with its shapes (choices, optional, unordered and partly ordered steps) kept

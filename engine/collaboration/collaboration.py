@@ -15,11 +15,11 @@ from casper.engine.events.printing import plan_lines
 from casper.engine.explanation.situation import Situation
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.kb.text.lines import Line, one_line, text_of
+from casper.kb.text.lines import Line, Shown, one_line, text_of
 
 
 @dataclass(frozen=True, slots=True)
-class CollaborativePlan:
+class CollaborativePlan(Shown):
     """What an agent will do for a goal.
 
     ``actions`` is the longest run of the frontier that it can do; ``waiting`` what the partner does before that.

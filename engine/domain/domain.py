@@ -23,7 +23,7 @@ from casper.kb.program.refusals import undefined_sentence
 from casper.kb.terms.clauses import Clause, Production, Sentence
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.files import is_there, real
-from casper.kb.text.lines import Line, text_of
+from casper.kb.text.lines import Line, Shown, text_of
 from casper.kb.text.reader import read_text
 from casper.kb.text.sources import Sources, fingerprint
 from casper.plans.grammar.conditions import condition_clauses
@@ -36,7 +36,7 @@ SHIPPED = Path(__file__).resolve().parent.parent.parent / "domains"
 
 
 @dataclass(frozen=True)
-class Domain(Readings):
+class Domain(Readings, Shown):
     """What is known of one place: relations, plans, and the settings of every stage as facts among the relations.
 
     ``verifies`` is False for a folder without ``ontology.pl``: such a domain verifies nothing and only explains.
@@ -62,7 +62,7 @@ class Domain(Readings):
 
         Raises:
             DomainError: no such domain, or a folder with nothing in it (the sentence lists the shipped ones), or a file
-            that is no regular one or too large, or a language in which nothing is said.
+                that is no regular one or too large, or a language in which nothing is said.
             ReadError, ProgramError, PlanError: a mistake in its text, with file and line.
         """
         folder = find_domain(name)
@@ -89,7 +89,7 @@ class Domain(Readings):
 
         Raises:
             ReadError, ProgramError, PlanError: a mistake in a text, with the name of its file and the line. There is
-            nothing to include or use from here.
+                nothing to include or use from here.
         """
         texts = dict(zip(FILES, (ontology, plans, actions, movements, scene, words)))
         sentences = {file: read_text(text, file) for file, text in texts.items() if text is not None}

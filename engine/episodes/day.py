@@ -29,12 +29,12 @@ from casper.engine.verification.vocabulary import Vocabulary
 from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.kb.text.lines import Line, text_of
+from casper.kb.text.lines import Line, Shown, text_of
 
 AS_IT_WERE: Bounds = Bounds()
 
 
-class Day(Generic[S]):
+class Day(Shown, Generic[S]):
     """Hypotheses about which goals are open, and what became of those that closed.
 
     Memory and time an observation do not grow with the day: what closed leaves the state, and what was observed more

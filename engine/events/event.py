@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from casper.engine.events.printing import NAMES, Names, event_lines
-from casper.kb.text.lines import Line, one_line, text_of
+from casper.kb.text.lines import Line, Shown, one_line, text_of
 
 TYPES = (
     "focus",
@@ -26,7 +26,7 @@ TYPES = (
 
 
 @dataclass(frozen=True, slots=True)
-class Event:
+class Event(Shown):
     """One thing that happened: its type (one of `TYPES`), when (seconds), and what."""
 
     type: str

@@ -12,7 +12,7 @@ from casper.engine.explanation.situation import Situation
 from casper.engine.verification.matching import Binding, bindings_of
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.kb.text.lines import Line, text_of
+from casper.kb.text.lines import Line, Shown, text_of
 from casper.plans.trees.plan import Plan
 from casper.plans.trees.tree import Status, plan_tree
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Explanation:
+class Explanation(Shown):
     """A plan with the leaves that were observed, in the order of the observations.
 
     ``score`` is the paper's; ``share`` this explanation's part of the sum of all scores (the best one's share is the
@@ -125,7 +125,7 @@ class Explanation:
 
 
 @dataclass(frozen=True)
-class Interleaved:
+class Interleaved(Shown):
     """Several goals pursued at once: one explanation for each, which together take every observation but the needless.
 
     ``score`` is the paper's, over the leaves of all of them.

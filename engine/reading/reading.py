@@ -31,7 +31,7 @@ from casper.kb.errors import CasperError
 from casper.kb.reasons.says import SILENT, Words
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.kb.text.lines import Line, text_of
+from casper.kb.text.lines import Line, Shown, text_of
 from casper.plans.library import PlanLibrary
 
 WEIGHABLE = 300  # observations up to which there are not too many explanations to be weighed
@@ -43,7 +43,7 @@ def nobody_can(situation: Situation, leaf: int, agent: str) -> tuple[Compound, b
     return situation.leaves[leaf], False
 
 
-class Reading:
+class Reading(Shown):
     """Explanations of a growing list of observations.
 
     Args:

@@ -17,6 +17,7 @@ from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
 from casper.kb.terms.unknown import DOUBT, UNKNOWN, closed, opened
 from casper.kb.terms.values.arithmetic import EvaluationFailed
+from casper.kb.text.lines import Shown
 from casper.kb.text.writer import literal_text
 from casper.kb.top_down.compiled.cells import serials as fresh_numbers
 from casper.kb.top_down.solve import Solver
@@ -43,7 +44,7 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
-class Doubt:
+class Doubt(Shown):
     """Why a statement is neither true nor false.
 
     ``steps`` lead from the statement on, each to the atom of the condition before; the last one ends in a failed

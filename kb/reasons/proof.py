@@ -13,6 +13,7 @@ from casper.kb.reasons.wording import holding_sentence
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
+from casper.kb.text.lines import Shown
 from casper.kb.text.writer import literal_text
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ MOST_NODES = 10_000  # of a graph
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class Proof:
+class Proof(Shown):
     """Why a ground condition holds.
 
     ``clause`` is the fact or rule behind it and ``premises`` the proofs of its body in the author's order; without a

@@ -21,7 +21,7 @@ from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import is_ground, substitute, unify
-from casper.kb.text.lines import one_line
+from casper.kb.text.lines import Shown, one_line
 from casper.kb.top_down.solve import Solver
 
 MOST_TRIED = 150  # sets of changes tried out before the search gives up
@@ -30,7 +30,7 @@ DEEPEST = 6  # rules between a condition and the base fact that would mend it
 
 
 @dataclass(frozen=True, slots=True)
-class Repair:
+class Repair(Shown):
     """Facts to add and facts to remove."""
 
     add: frozenset[Compound] = frozenset()

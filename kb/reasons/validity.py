@@ -19,14 +19,14 @@ from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, as_term
 from casper.kb.terms.unification import substitute
 from casper.kb.terms.unknown import DOUBT
-from casper.kb.text.lines import Line, one_line, text_of
+from casper.kb.text.lines import Line, Shown, one_line, text_of
 from casper.kb.top_down.solve import Solver
 
 _FILL_LIMIT = 1000  # instances looked at before a part is given up as open
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class Verdict(Shown):
     """The outcome of a verification.
 
     ``valid`` is None when it is undefined or the search ran out of its budget (``remark`` says which). ``completed`` is

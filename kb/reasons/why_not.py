@@ -19,7 +19,7 @@ from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
 from casper.kb.terms.values.arithmetic import EvaluationFailed
-from casper.kb.text.lines import one_line
+from casper.kb.text.lines import Shown, one_line
 from casper.kb.top_down.solve import Solver
 
 
@@ -51,7 +51,7 @@ class Violation:
 
 
 @dataclass(frozen=True, slots=True)
-class Refusal:
+class Refusal(Shown):
     """Why a statement does not hold (or is not valid); ``str()`` is one sentence a line."""
 
     statement: Compound

@@ -130,7 +130,8 @@ class Questions(ClauseStore):
             undefined: give the answers that are neither true nor false instead.
 
         Raises:
-            ReadError, ProgramError, BudgetExceeded.
+            ReadError, ProgramError: the text is no question, or nothing defines a predicate in it.
+            BudgetExceeded: the rest is unknown.
             Undefined: after the last true answer, when there are undefined ones.
         """
         query, solver = self._model.query(goal), self.solver(budget)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from casper.kb.terms.clauses import Indicator, Literal
 from casper.kb.terms.terms import Compound, Variable
 from casper.kb.terms.unification import variables_of
+from casper.kb.text.lines import Shown
 from casper.kb.text.writer import literal_text
 from casper.kb.top_down.compiled.code import Procedure
 from casper.kb.top_down.linking import ASKED, BUILT_IN, CONTROLLED, DOUBTFUL, STORED, TABLED, Code, Link, Links
@@ -41,7 +42,7 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
+class Plan(Shown):
     """The steps of every alternative, in the order in which they are taken; ``str()`` is one a line.
 
     ``columns`` says of a question with many answers whether they are joined on numpy columns, or what is in the way.

@@ -10,14 +10,14 @@ from casper.kb.errors import Place
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Variable, as_term
 from casper.kb.terms.unification import variables_of
-from casper.kb.text.lines import Line, lines_of, one_line, text_of
+from casper.kb.text.lines import Line, Shown, lines_of, one_line, text_of
 from casper.plans.trees.chart import Chart, draw_chart
 from casper.plans.trees.nodes import Action, Condition, Task, actions_below, conditions_below, is_plain
 from casper.plans.trees.tree import plan_tree, tree_text
 
 
 @dataclass(frozen=True)
-class Plan:
+class Plan(Shown):
     """One way to pursue a goal, with what it leaves open.
 
     ``label`` is what the goal is called in results: its name, or the whole term where several goals share the name.

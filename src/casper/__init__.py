@@ -18,6 +18,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from casper.kb.text.lines import Form, show_with
+
 if TYPE_CHECKING:
     from casper.engine.domain.domain import Domain as Domain
     from casper.engine.mind import Mind as Mind
@@ -37,8 +39,19 @@ _HOMES = {
     "PlanLibrary": "casper.plans.library",
     "Reading": "casper.engine.reading.reading",
     "WorldState": "casper.engine.perception.world",
+    "load_ipython_extension": "casper.notebook.magics",  # %load_ext casper
+    "unload_ipython_extension": "casper.notebook.magics",
 }
 __all__ = ["CasperError", "Domain", "KnowledgeBase", "Mind", "PlanLibrary", "Reading", "WorldState", "__version__"]
+
+
+def _shows(thing: object, form: Form) -> str | None:
+    """How a notebook shows what one holds: nothing of it is imported before a notebook asks."""
+    shown: str | None = import_module("casper.notebook.table").shown(thing, form)
+    return shown
+
+
+show_with(_shows)
 
 
 def __getattr__(name: str) -> Any:

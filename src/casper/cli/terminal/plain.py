@@ -10,7 +10,9 @@ import codecs
 import io
 import os
 import sys
-import unicodedata
+
+from casper.kb.text.lines import spelt
+from casper.kb.text.lines import visible as visible
 
 SIGNS = {
     **dict.fromkeys("█▉▊▋▌", "#"), **dict.fromkeys("▍▎▏", " "),  # bars keep their width
@@ -22,25 +24,6 @@ SIGNS = {
 """What stands for a sign on a terminal, or in a file, that cannot hold it."""
 
 _HANDLER = "casper.signs"
-_MISLEADING = frozenset(
-    "\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069"  # turn the direction of writing
-    "\u2028\u2029"
-)
-
-
-def visible(text: str, keep: str = "\n") -> str:
-    r"""The text with what a terminal obeys instead of showing it spelt out: an escape character becomes ``\x1b``."""
-    if text.isascii() and text.isprintable():
-        return text
-    return "".join(c if c in keep or not _is_obeyed(c) else _spelt(c) for c in text)
-
-
-def _is_obeyed(character: str) -> bool:
-    return character in _MISLEADING or unicodedata.category(character) in ("Cc", "Cs")
-
-
-def _spelt(character: str) -> str:
-    return character.encode("unicode_escape").decode("ascii")
 
 
 def _plain(mistake: UnicodeError) -> tuple[str, int]:
@@ -48,7 +31,7 @@ def _plain(mistake: UnicodeError) -> tuple[str, int]:
     if not isinstance(mistake, UnicodeEncodeError):
         raise mistake
     unwritable = mistake.object[mistake.start : mistake.end]
-    return "".join(SIGNS.get(c) or _spelt(c) for c in unwritable), mistake.end
+    return "".join(SIGNS.get(c) or spelt(c) for c in unwritable), mistake.end
 
 
 def settle_streams() -> None:
