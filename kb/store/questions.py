@@ -197,8 +197,7 @@ class Questions(ClauseStore):
         if len(alternatives) == 1 and len(alternatives[0]) == 1:
             [literal] = alternatives[0]
             relation = None if literal.negated or literal.is_comparison else self.stored(literal.atom.indicator)
-            settled = relation is not None and relation.undefined is None
-            found = of_stored(literal.atom, relation) if relation is not None and settled else None
+            found = None if relation is None or relation.undefined is not None else of_stored(literal.atom, relation)
             if found is not None:
                 return found
         solver = self.solver(budget)

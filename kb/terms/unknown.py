@@ -48,7 +48,7 @@ def may_equal(left: Term, right: Term) -> bool:
             continue
         if isinstance(left, tuple) and isinstance(right, tuple) and len(left) == len(right):
             waiting.extend(zip(left, right))
-        elif left != right or isinstance(left, tuple):
+        elif left != right:
             return False
     return True
 

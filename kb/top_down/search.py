@@ -15,8 +15,8 @@ from casper.kb.errors import BudgetExceeded, Undefined
 from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable
-from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute, unify
-from casper.kb.top_down.compiled.cells import Cell, deref, freeze, fresh_variable, inward, variant
+from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
+from casper.kb.top_down.compiled.cells import Cell, deref, freeze, inward, variant
 from casper.kb.top_down.compiled.code import STOP, Frame, Node, Slots, linked, node_of
 from casper.kb.top_down.linking import Code, Computed, Links
 from casper.kb.top_down.running.engine import ROOT
@@ -57,12 +57,6 @@ class Search:
         """
         given, names = bindings or {}, names_of(body)
         return (_extended(given, names, values) for values in self._certain(self.found(body, given)))
-
-    def rows(self, body: Sequence[Literal], names: Sequence[Variable]) -> Iterator[Row]:
-        """The values of some of the body's variables in every answer that is certain; raises as `solve` does."""
-        columns = [names_of(body).index(name) for name in names]
-        for values in self._certain(self.found(body, {})):
-            yield tuple([values[column] for column in columns])
 
     def outcomes(
         self, body: Sequence[Literal], bindings: Bindings | None = None, doubt: str = ""
@@ -120,16 +114,6 @@ class Search:
         except MemoryError:
             machine.engines.clear()
             raise self.stopped(body, "all the memory there is") from None
-
-    def answers(self, literal: Literal, bindings: Bindings, depth: int = 0) -> Iterator[Bindings]:
-        """Every extension of the bindings under which one condition holds; raises as `solve` does."""
-        return self.solve([literal], bindings)
-
-    def fresh(self, clause: Clause) -> tuple[Compound, list[Literal]]:
-        """The clause with variables of its own."""
-        serial = fresh_variable().serial
-        head, *atoms = renamed([clause.head, *(x.atom for x in clause.body)], serial)
-        return head, [Literal(atom, x.negated, x.place) for atom, x in zip(atoms, clause.body)]
 
     @property
     def _compiled(self) -> Code:

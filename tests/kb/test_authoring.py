@@ -142,3 +142,9 @@ def test_a_type_checker_understands_it_and_finds_mistakes(tmp_path):
     mistakes = [line for line in told.splitlines() if "error" in line and line.startswith("bad.py")]
     assert [line.split(":")[1] for line in mistakes] == ["3", "4", "5", "6"]
     assert "good.py" not in told
+
+
+def test_every_comparison_has_its_operator_and_predicates_say_their_names():
+    assert [str(rule(human(X), c).body[0]) for c in (X < 1, X <= 1, X > 1, X >= Y)] == ["X < 1", "X =< 1", "X > 1", "X >= Y"]
+    assert repr(near) == "near/2"
+    assert hash(X) == hash(variable("X"))

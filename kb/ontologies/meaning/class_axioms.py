@@ -125,8 +125,6 @@ def different_individuals(scope: Scope, *individuals: Part) -> Iterator[Said]:
 
 def has_key(scope: Scope, concept: Part, *properties: Part) -> Iterator[Said]:
     """Two that agree on every property of the key are one."""
-    if not properties:
-        raise Beyond("a key without properties makes everything one; name the properties")
     one, other = scope.fresh(), scope.fresh()
     shared = [(on, scope.fresh(scope.vocabulary.is_data(on))) for on in properties]
     edges = [literal(*scope.held(on, thing, value)) for on, value in shared for thing in (one, other)]

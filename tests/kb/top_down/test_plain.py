@@ -80,6 +80,41 @@ def test_a_goal_that_nothing_makes_known_is_refused(question):
         found(question)
 
 
+def test_what_is_valid_is_asked_for_and_its_doubts_are_kept():
+    text = 'n(1). n(2). n(0). w(X) :- n(X). never("no twos") :- claim(w(X)), X = 2. never("ratio") :- claim(w(X)), Y is 1 / X, Y > 5.'
+    base = KnowledgeBase.from_text(text).solver()
+    plain = PlainSolver(base.relations, base.clauses, base.computed, 5_000)
+    [body] = read_query("valid(w(X))")
+    answers = [(answer.get(Variable("X")), DOUBT in answer) for answer in plain.possible(list(body))]
+    assert (1, False) in answers and (2, False) not in answers and (None, True) in answers
+
+
+@pytest.mark.parametrize(
+    ("limit", "sentence"),
+    [({"deadline": 0.0}, "stopped when its time was up"), ({"cancelled": lambda: True}, "the search was cancelled")],
+)
+def test_plain_resolution_stops_when_it_is_told_to(limit, sentence):
+    base = KnowledgeBase.from_text("r(a). p(X) :- q(X), X = X. q(X) :- p(X), X = X.").solver()
+    plain = PlainSolver({}, base.clauses, {}, 10**6, **limit)
+    [body] = read_query("p(X)")
+    with pytest.raises(BudgetExceeded, match=sentence):
+        list(plain.possible(list(body)))
+
+
+def test_over_other_relations_it_begins_anew_and_keeps_its_bounds():
+    plain = solver()
+    plain.steps, plain.doubts_hold = 7, True
+    other = plain.over({}, floundering_fails=True)
+    assert (other.steps, other.doubts_hold, other.floundering_fails, other.budget) == (0, False, True, 5_000)
+    assert other.relations == {} and plain.steps == 7 and not plain.over({}).floundering_fails
+    assert plain.plain() is plain
+
+
+def test_what_nothing_binds_fails_where_that_is_asked_for():
+    [body] = read_query("X < Y")
+    assert list(solver().over({}, floundering_fails=True).possible(list(body))) == []
+
+
 def test_the_steps_of_built_ins_are_counted_and_bounded():
     plain = solver()
     [body] = read_query("between(1, inf, X), X < 0")

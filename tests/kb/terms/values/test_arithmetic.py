@@ -73,7 +73,7 @@ def test_integers_are_exact_whatever_their_size(x, y):
     [
         ("4 / 2", 2), ("1 / 2", 0.5), ("-7 // 2", -3), ("-7 mod 2", 1), ("-7 rem 2", -1), ("2 ** 100", 2**100), ("2 ** -1", 0.5),
         ("2 ^ 3 ^ 2", 512), ("2 + 3 * 4", 14), ("1 << 3 + 1", 9), ("round(2.5)", 3), ("round(-2.5)", -3), ("truncate(-2.5)", -2),
-        ("7 xor 2 \\/ 8", 13), ("pi", math.pi), ("max(2, inf)", math.inf), ("[5] + 1", 6), ("abs(-3)", 3), ("sign(-2.5)", -1.0),
+        ("7 xor 2 \\/ 8", 13), ("pi", math.pi), ("max(2, inf)", math.inf), ("inf + 1", math.inf), ("2 * -inf", -math.inf), ("[5] + 1", 6), ("abs(-3)", 3), ("sign(-2.5)", -1.0),
     ],
 )  # fmt: skip
 def test_an_expression_has_its_value(text, expected):
