@@ -4,6 +4,7 @@ import random
 from fractions import Fraction
 
 import pytest
+from hypothesis import settings
 
 pytest.importorskip("unified_planning", reason="planning needs: pip install 'casper-hri[planning]'")
 
@@ -230,7 +231,9 @@ def with_another_argument(rng: random.Random, problem, action: ActionInstance) -
     return ActionInstance(action.action, tuple(values))
 
 
-def test_two_thousand_random_plans_are_judged_as_the_framework_judges_them(examples) -> None:
+def test_random_plans_are_judged_as_the_framework_judges_them(examples) -> None:
+    """Two hundred of them, in the thorough profile two thousand."""
+    many = min(4 * settings.default.max_examples, 2000)
     rng, compared, refused = random.Random(20261130), 0, 0
     fitting = [
         (example.problem, plan)
@@ -240,7 +243,7 @@ def test_two_thousand_random_plans_are_judged_as_the_framework_judges_them(examp
         and not isinstance(example.problem, HierarchicalProblem)
         and plan.kind in (PlanKind.SEQUENTIAL_PLAN, PlanKind.TIME_TRIGGERED_PLAN)
     ]
-    while compared < 2000:
+    while compared < many:
         problem, plan = rng.choice(fitting)
         plan = mutated(rng, problem, plan)
         timed = plan.kind is PlanKind.TIME_TRIGGERED_PLAN
@@ -253,7 +256,7 @@ def test_two_thousand_random_plans_are_judged_as_the_framework_judges_them(examp
             assert ours.reasons and all(reason.startswith(("step ", "at the end: ")) for reason in ours.reasons)
             assert ours.failure is theirs.reason
             assert all(reason.partition(": ")[2] for reason in ours.reasons)
-    assert 500 < refused < 1800  # both kinds were there
+    assert many / 4 < refused < many * 9 / 10  # both kinds were there
 
 
 def test_a_partial_order_is_valid_exactly_when_all_its_rows_are(examples) -> None:
@@ -265,7 +268,7 @@ def test_a_partial_order_is_valid_exactly_when_all_its_rows_are(examples) -> Non
         if plan.kind is PlanKind.SEQUENTIAL_PLAN and 1 < len(plan.actions) <= 4 and CasperValidator.supports(e.problem.kind)
     ]  # fmt: skip
     verdicts = set()
-    for _ in range(150):
+    for _ in range(settings.default.max_examples):
         problem, plan = rng.choice(small)
         steps = [ActionInstance(a.action, a.actual_parameters) for a in plan.actions]
         order = {step: [later for later in steps[at + 1 :] if rng.random() < 0.7] for at, step in enumerate(steps)}

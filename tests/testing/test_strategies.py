@@ -34,7 +34,7 @@ FAST = settings(suppress_health_check=[HealthCheck.too_slow], deadline=None, dat
 
 def least(strategy, condition=lambda value: True):
     """What a strategy shrinks to."""
-    return find(strategy, condition, settings=settings(FAST, max_examples=500))
+    return find(strategy, condition, settings=settings(FAST, max_examples=200))
 
 
 # --- statements and facts -------------------------------------------------------------------------------------------
