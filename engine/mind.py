@@ -7,7 +7,6 @@ It never ends: what a partner does is read episode after episode (`engine.readin
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
@@ -20,6 +19,7 @@ from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.events.printing import Names, plan_lines, prediction_lines
 from casper.engine.movements.movements import Movement, movement_classifier
+from casper.engine.perception.about import About, Handled, about
 from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, perception_settings
 from casper.engine.perception.tracking import Tracker, tracker_settings
@@ -34,9 +34,6 @@ from casper.kb.reasons.validity import Verdict
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.lines import Line, Span, line, one_line, text_of
-
-TOGETHER = 0.15  # metres within which two things are in one place, as the eye has it
-
 
 class Mind:
     """Watches one partner of a domain.
@@ -81,6 +78,7 @@ class Mind:
         self.tracker = Tracker(tracker_settings(rows))
         self.perception = Perception(perception_settings(rows), self.partner)
         self.focus = FocusEstimator(focus_settings(rows))
+        self.handled = Handled()
         self.movements = movement_classifier(rows)
         self.actions = action_recogniser(rows)
         self.contexts = context_table(rows)
@@ -131,24 +129,17 @@ class Mind:
         events = [event.about(self.partner) for event in (_focus_event(focus), _movement_event(movement))]
         prediction = self.actions.update(movement)
         if prediction is not None:
-            places = self._places(focus, world)
-            events += [event.about(self.partner) for event in self._consider(prediction, focus, places)]
+            about = self._about(focus, world, self.handled.update(relations))
+            events += [event.about(self.partner) for event in self._consider(prediction, about)]
+        else:
+            self.handled.update(relations)
         return events
 
-    def _places(self, focus: Focus, world: WorldState) -> Sequence[str | None]:
-        """Where what happens may happen, likeliest first: on what lies on something else rather than on that.
-
-        With a place that is attended to comes what is in the same place.
-        """
-        if not self.focus.settings.steady:
-            return (focus.destination,)
-        there = [world.objects[name] for name in focus.attended if name in world.objects]
-        places = [
-            name
-            for name, thing in world.objects.items()
-            if name != focus.target and any(math.hypot(thing.x - at.x, thing.y - at.y) < TOGETHER for at in there)
-        ]
-        return sorted(places, key=lambda name: -_height(world, name))
+    def _about(self, focus: Focus, world: WorldState, handled: str | None) -> About:
+        """What an action of this moment is about."""
+        if self.focus.settings.steady:
+            return about(focus, handled, world)
+        return About(focus.target, (focus.destination,))
 
     def did(self, action: Compound, t: float) -> list[Event]:
         """The robot has done an action of its part (without the agent): it happened, and its episode may be over."""
@@ -195,20 +186,20 @@ class Mind:
     def __repr__(self) -> str:
         return one_line(f"Mind that watches {self.partner} in {self.domain.name}: {self.reading!r}")
 
-    def _stated(self, prediction: Prediction, focus: Focus, places: Sequence[str | None]) -> Statement | None:
+    def _stated(self, prediction: Prediction, about: About) -> Statement | None:
         """What seems to have happened, put into context: at the first place where it is valid, or at the first."""
         stated = []
-        for place in places:
+        for place in about.places:
             action = contextualise(prediction.action, place, self.contexts)
-            if action is not None and focus.target is not None:
-                stated.append(Statement(prediction.t, self.partner, action, focus.target, place))
+            if action is not None and about.target is not None:
+                stated.append(Statement(prediction.t, self.partner, action, about.target, place))
         if len(stated) > 1 and self.verifier is not None:
             return next((s for s in stated if self.verifier.judge(s).valid), stated[0])
         return stated[0] if stated else None
 
-    def _consider(self, prediction: Prediction, focus: Focus, places: Sequence[str | None]) -> Iterator[Event]:
+    def _consider(self, prediction: Prediction, about: About) -> Iterator[Event]:
         """An action seems to have happened: put it into context, verify it, and pass it on to the reading."""
-        statement = self._stated(prediction, focus, places)
+        statement = self._stated(prediction, about)
         if statement is None:
             return  # not yet known what it means; the prediction stands, and the next step may tell
         if str(statement) == self._refused:
@@ -243,12 +234,6 @@ class Mind:
             self._lost = lost
             room = f"setting(verification, remembered, {self.history.most}) leaves no room for it"
             yield Event("warning", t, {"message": f"did/2 no longer has {term_text(as_term(lost))}: {room}"})
-
-
-def _height(world: WorldState, name: str) -> float:
-    """How high a thing is, metres."""
-    known = world.objects.get(name)
-    return 0.0 if known is None or known.z is None else known.z
 
 
 def _focus_event(focus: Focus) -> Event:

@@ -103,8 +103,9 @@ class Helper:
                 yield self._told(t, task, "stopped", "it was withdrawn")
 
     def settle(self) -> None:
-        """See that what was done came to rest where it belongs: before it is moved again, and at the end."""
-        for action in self._to_check:
+        """See that what was done came to rest where it belongs: before others move it again, and at the end."""
+        last = {action[1]: action for action in self._to_check}  # what the robot moved on itself is where it was last put
+        for action in last.values():
             self.is_good = self.is_good and self.simulation.rests_in(str(action[1]), str(action[2]))
         self._to_check = []
 

@@ -14,12 +14,16 @@ from casper.sim_adapter.eye.attention import Attention
 from casper.sim_adapter.eye.sensors import Sensor
 from casper.sim_adapter.eye.vantage import vantage
 from casper.sim_adapter.human.human import Human
+from casper.sim_adapter.human.walk import HumanWalk
 from casper.sim_adapter.physics.physics import STILL_SPEED, Physics
+from casper.sim_adapter.robot.base import RobotBase
 from casper.sim_adapter.robot.robot import Robot
 from casper.sim_adapter.room.geometry import Disc, bearing, floor_of
+from casper.sim_adapter.room.making_way import HELD_UP, spot_out_of_the_way
 from casper.sim_adapter.room.navigation import Navigator
 from casper.sim_adapter.room.placement import is_placed
 from casper.sim_adapter.room.scene import Point, Scene
+from casper.sim_adapter.steps import Step
 
 APART = 0.1  # metres kept between two agents beside their radii
 HOME = 0.15  # metres from where it began within which an object is at its place
@@ -78,6 +82,7 @@ class Simulation:
         for _ in range(round(seconds / self.scene.sim.control)):
             if self._ticks % GLANCE == 0:
                 self._attention.update()
+                self._make_way()
             for human in self.people.values():
                 human.tick()
             self.robot.tick()
@@ -128,6 +133,33 @@ class Simulation:
             return False
         self.physics.put_back(thing)
         return True
+
+    def _make_way(self) -> None:
+        """Those of several people who have nothing to do make way for one who has waited for a while."""
+        idle = [human for human in self.people.values() if human.idle] if len(self.people) > 1 else []
+        movers = [(None, self.robot.base), *((name, human.walk) for name, human in self.people.items())]
+        for name, mover in movers if idle else ():
+            if mover.held_up >= HELD_UP:
+                mover.held_up = 0.0 if name is not None else mover.held_up
+                for human in (h for h in idle if h.name != name and h.idle):
+                    self._send_away(human, name, mover)
+
+    def _send_away(self, human: Human, name: str | None, mover: RobotBase | HumanWalk) -> None:
+        place = mover.place if isinstance(mover, RobotBase) else mover.body.place
+        if not mover.goals:  # somebody stands wherever one could stand
+            human.do([Step("stand_aside")])
+            return
+        near = sorted(mover.goals, key=lambda goal: math.dist(goal, place))[:3]
+        radius = self.scene.human_settings.radius + mover.navigator.radius + APART
+        rest = [disc for disc in self._discs(name) if (disc.x, disc.y) != human.place]
+
+        def through(spot: Point) -> bool:
+            discs = [*rest, Disc(*spot, radius)]
+            return any(mover.navigator.path(place, goal, discs) is not None for goal in near)
+
+        spot = None if through(human.place) else spot_out_of_the_way(human.walk.navigator, human.place, self._discs(human.name), through)
+        if spot is not None:
+            human.make_way(spot)
 
     def _discs(self, name: str | None) -> list[Disc]:
         """What somebody keeps away from: the others. None is the robot."""

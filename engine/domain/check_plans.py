@@ -143,6 +143,8 @@ class _Tried:
         partner, plan = self.domain.partner, self.plan
         theirs = [_refusals(self.domain, plan, values, partner) for values in self.values]
         for leaf, action in enumerate(plan.actions):
+            if isinstance(action.by, str) and action.by != partner:
+                continue  # the plan says so itself
             obstacle = next((row[leaf] for row in theirs if all(row[leaf] for row in theirs)), None)
             if obstacle is not None and obstacle.step is not None and not all(row[leaf] for row in self.rows):
                 shown, because = term_text(as_term(obstacle.step)), "; ".join(obstacle.reasons)

@@ -109,6 +109,11 @@ class Human(Worker):
             self.queue.waiting.append(Step("stand_aside"))
         return dropped
 
+    def make_way(self, spot: Point) -> None:
+        """Go to a spot, if there is nothing to do."""
+        if self.idle:
+            self.queue.current, self._skill = Step("stand_aside"), self.walk.make_way(spot)
+
     def tick(self) -> None:
         """One control step."""
         if self._skill is None and self.queue.waiting:

@@ -26,6 +26,8 @@ class HumanWalk:
         self.body = body
         self.navigator = navigator
         self.others = others
+        self.held_up = 0.0  # seconds they have been waiting for a way
+        self.goals: list[Point] = []  # where they want to be
 
     def go_to(self, name: str) -> Ticks:
         """Walk to where an object can be reached, unless it is within reach already, and face it."""
@@ -63,16 +65,24 @@ class HumanWalk:
                     yield from self._travel(lambda: [spot])  # noqa: B023 - left right after
                     return
 
+    def make_way(self, spot: Point) -> Ticks:
+        """Go to a spot where somebody else has a way."""
+        yield from self._travel(lambda: [spot])
+
     def _can_reach(self, spot: Point, others: Sequence[Disc]) -> bool:
         free = self.navigator.free(spot, others)
         return free and self.navigator.path(self.body.place, spot, self.others()) is not None
 
     def _travel(self, goals: Callable[[], list[Point]]) -> Ticks:
         """Walk to the nearest of the goals; wait and look again while the way is blocked."""
+        self.held_up = 0.0
         while True:
-            path = self._best_path(goals())
+            self.goals = goals()
+            path = self._best_path(self.goals)
             if path is not None and (yield from self._walk(path)):
+                self.held_up = 0.0
                 return
+            self.held_up += 0.5
             for _ in range(self.body.ticks(0.5)):
                 self.body.stand("still" if self.body.holding is None else "place")
                 yield

@@ -33,6 +33,8 @@ class RobotBase:
         self.aim_x, self.aim_y, self.aim_yaw = start
         self.speed = 0.0
         self._turning = 0.0
+        self.held_up = 0.0  # seconds it has been waiting for a way
+        self.goals: list[Point] = []  # where it wants to be
         self.others = others
         self._dt = physics.scene.sim.control
         for joint, value in zip(("x", "y", "yaw"), start):
@@ -67,15 +69,17 @@ class RobotBase:
         Raises:
             StepFailed: no way within the robot's patience, or the base is stuck.
         """
-        waited = 0.0
+        self.held_up = 0.0
         while True:
-            path = self._best_path(goals())
+            self.goals = goals()
+            path = self._best_path(self.goals)
             if path is not None and (yield from self._follow(path)):
                 break
-            waited += 0.5
-            if waited > self.settings.patience:
+            self.held_up += 0.5
+            if self.held_up > self.settings.patience:
                 raise StepFailed("there is no free way")
             yield from self.halt(0.5)
+        self.held_up = 0.0
         yield from self.halt(0.3)
 
     def face(self, point: Point) -> Ticks:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import islice, product
+from collections.abc import Iterator, Sequence
+from itertools import islice, permutations, product
 
 from hypothesis import given
 
@@ -19,6 +19,7 @@ from casper.testing.strategies.statements import facts, statements
 from casper.testing.values import constants_of, text_of, well_typed
 
 MOST_TRIED = 3_000  # claims, or sets of facts, to break a constraint with
+LONG = 1e6  # seconds: longer than any rule asks for
 MOST_ASKED = 60  # statements that are compared after each change
 _NEVER = ("never", 1)
 
@@ -95,13 +96,27 @@ def _fires(kb: KnowledgeBase, constraint: Clause) -> Iterator[bool]:
 
 
 def _fires_by_claim(kb: KnowledgeBase, constraint: Clause) -> Iterator[bool]:
-    """Claims alone, then each after one other statement; those that are provable come first."""
+    """Claims alone, then each after one other statement, or after one for each did/2; provable ones come first."""
     claims = [statement for indicator in kb.declared for statement in well_typed(kb, indicator, MOST_TRIED)]
     for claim in claims[:MOST_TRIED]:
         yield _breaks(kb, constraint, claim, ())
     if any(literal.atom.functor == "did" for literal in constraint.body):
         for earlier, claim in islice(product(claims, claims), MOST_TRIED):
             yield _breaks(kb, constraint, claim, ((earlier, 0.0),))
+        for claim, history in islice(_after_several(constraint, claims), MOST_TRIED):
+            yield _breaks(kb, constraint, claim, history)
+
+
+def _after_several(constraint: Clause, claims: Sequence[Compound]) -> Iterator[tuple[Compound, History]]:
+    """Claims of the constraint's action after one statement for each of its did/2, near in time and far apart."""
+
+    def like(relation: str) -> list[list[Compound]]:
+        asked = [literal.atom[1] for literal in constraint.body if literal.atom.functor == relation]
+        return [[c for c in claims if not isinstance(a, Compound) or c.indicator == a.indicator] for a in asked]
+
+    for (claim, *earlier), apart in product(product(*like("claim")[:1], *like("did")), (LONG, 1.0)):
+        for order in permutations(range(len(earlier))):
+            yield claim, tuple((statement, apart * at) for statement, at in zip(earlier, order))
 
 
 def _breaks(kb: KnowledgeBase, constraint: Clause, claim: Compound, history: History) -> bool:

@@ -1,0 +1,59 @@
+"""What an action is about, where things lie on one another: what was in the hand, at the places that are attended to."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from casper.engine.perception.focus import Focus
+from casper.engine.perception.perception import Relations
+from casper.engine.perception.world import WorldState
+
+TOGETHER = 0.15  # metres within which two things are in one place, as the eye has it
+KEPT = 6.0  # seconds for which what was in the hand is what an action is about
+STEPS = 2  # in a row for which something must be in the hand: one may be misread
+
+
+@dataclass(frozen=True, slots=True)
+class About:
+    """The target of an action, and where it may have happened, likeliest first; None is unknown."""
+
+    target: str | None
+    places: tuple[str | None, ...]
+
+
+class Handled:
+    """What was in the agent's hand last."""
+
+    def __init__(self) -> None:
+        self._name: str | None = None
+        self._t = -math.inf
+        self._run: tuple[str | None, int] = (None, 0)
+
+    def update(self, relations: Relations) -> str | None:
+        """What it is at this moment; None when nothing was for a while."""
+        holding, (name, steps) = relations.holding, self._run
+        self._run = (holding, steps + 1 if holding == name else 1)
+        if holding is not None and self._run[1] >= STEPS:
+            self._name, self._t = holding, relations.t
+        return self._name if relations.t - self._t <= KEPT else None
+
+
+def about(focus: Focus, handled: str | None, world: WorldState) -> About:
+    """What an action of this moment is about.
+
+    With a place that is attended to comes what is in the same place; what lies on something else is likelier than that.
+
+    Args:
+        focus: what is attended to.
+        handled: what was in the hand last (`Handled`).
+        world: where everything is.
+    """
+    target, things = handled or focus.target, world.objects
+    there = [things[name] for name in focus.attended if name in things]
+    places = [
+        name
+        for name, thing in things.items()
+        if name != target and any(math.hypot(thing.x - at.x, thing.y - at.y) < TOGETHER for at in there)
+    ]
+    return About(target, tuple(sorted(places, key=lambda name: -(things[name].z or 0.0))))
