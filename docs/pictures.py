@@ -1,8 +1,12 @@
-"""Draws the README's picture: a breakfast at three moments.
+"""Draws the pictures of the pages: a breakfast at three moments, the tutorial's room, the focus of a drink.
 
     MUJOCO_GL=egl python docs/pictures.py
+
+notebook.png is a part of the first notebook's page, as a browser shows it.
 """
 
+import sys
+import tempfile
 from pathlib import Path
 
 import matplotlib
@@ -11,11 +15,16 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-from casper import Domain
-from casper.sim_adapter.eye.camera import Camera
-from casper.sim_adapter.trial import Trial, TrialSettings
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent / part) for part in ("src", "tests/helpers")]
 
-HERE = Path(__file__).parent
+from pages import blocks_of  # noqa: E402
+from visits import Visit  # noqa: E402
+
+from casper import Domain  # noqa: E402
+from casper.engine.events.curves import focus_curve  # noqa: E402
+from casper.sim_adapter.eye.camera import Camera  # noqa: E402
+from casper.sim_adapter.trial import Trial, TrialSettings  # noqa: E402
 
 
 def frames() -> list[tuple[str, np.ndarray]]:
@@ -36,17 +45,44 @@ def frames() -> list[tuple[str, np.ndarray]]:
     return list(found.items())
 
 
-def main() -> None:
-    """Write docs/breakfast.png."""
-    pictures = frames()
+def tearoom() -> list[tuple[str, np.ndarray]]:
+    """The room of the tutorial, when its goal is read and when the robot carries the mug."""
+    with tempfile.TemporaryDirectory() as folder:
+        visit = Visit(Path(folder))
+        for block in blocks_of(HERE / "tutorial.md"):
+            if block.language == "prolog":
+                visit.run(block)
+        trial = Trial(Domain.load(Path(folder) / "tearoom"), TrialSettings("tea", 1))
+    camera, found, under_way = Camera(trial.simulation.physics, 800, 800), [], []
+    for event in trial.events():
+        if event.type == "prediction":
+            found.append((f"{event.t:.0f} s: the goal is tea", camera.frame()))
+        elif event.type == "plan" and event.data["ready"] or event.type == "focus" and under_way:
+            under_way.append((f"{event.t:.0f} s: the robot clears the mug", camera.frame()))
+        elif event.type == "robot" and event.data["status"] == "done":
+            done = (f"{event.t:.0f} s: the mug is in the sink", camera.frame())
+            return [*found, under_way[3 * len(under_way) // 4], done]
+    return found
+
+
+def draw(pictures: list[tuple[str, np.ndarray]], file: str) -> None:
+    """Pictures side by side in a file."""
     figure, axes = plt.subplots(1, len(pictures), figsize=(5 * len(pictures), 5.3))
     for axis, (title, picture) in zip(axes, pictures):
         axis.imshow(picture)
         axis.set_title(title, fontsize=14)
         axis.axis("off")
     figure.tight_layout()
-    figure.savefig(HERE / "breakfast.png", dpi=70)
+    figure.savefig(HERE / file, dpi=70, bbox_inches="tight")
+
+
+def focus(file: str) -> None:
+    """What somebody who has a drink attends to."""
+    trial = Trial(Domain.load("kitchen"), TrialSettings("drink", 1, robot=False))
+    (HERE / file).write_text(focus_curve(trial.events())._repr_svg_() or "")
 
 
 if __name__ == "__main__":
-    main()
+    draw(frames(), "breakfast.png")
+    draw(tearoom(), "tearoom.png")
+    focus("focus.svg")

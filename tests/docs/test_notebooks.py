@@ -3,12 +3,11 @@
 import re
 
 import pytest
+from notebooks import NOTEBOOKS, executed, texts
+from pages import ROOT
 
 nbformat = pytest.importorskip("nbformat")
 pytest.importorskip("nbclient")
-
-from notebooks import NOTEBOOKS, executed, texts
-from pages import ROOT
 
 
 @pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)

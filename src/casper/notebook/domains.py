@@ -24,7 +24,8 @@ def domain_html(domain: Domain) -> Markup:
     """Who watches whom, goals, actions, constraints, and the plans."""
     never = [str(clause.head[1]) for clause in domain.kb.clauses if clause.head.indicator == NEVER]
     said = [folded(_counted(len(never), "constraint"), listed(_few(never)), is_open=False)] if never else []
-    return joined([lines_html(domain.lines()), *said, library_html(domain.library)])
+    plans = [library_html(domain.library)] if domain.library.productions else []
+    return joined([lines_html(domain.lines()), *said, *plans])
 
 
 def library_html(library: PlanLibrary) -> Markup:

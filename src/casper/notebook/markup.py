@@ -37,12 +37,16 @@ font:13px/1.5 system-ui,sans-serif;color:inherit;max-width:60em}
 .casper .share,.casper .note,.casper .walk{color:var(--share)}
 .casper table{border-collapse:collapse;border:0;margin:.3em 0;font-size:13px;display:table}
 .casper tr,.casper tbody tr:nth-child(odd){background:none}
-.casper td,.casper th{padding:.1em .7em .1em 0;border:0;text-align:left;vertical-align:top;min-width:0;max-width:none}
+.casper td,.casper th{padding:.1em .7em .1em 0;border:0;text-align:left;vertical-align:top;min-width:0;max-width:none;white-space:normal}
 .casper th{font-weight:600;border-bottom:1px solid var(--rule)}
 .casper .bar{display:block;width:11em;height:.8em;margin-top:.35em;background:var(--soft);border-radius:2px}
 .casper .bar i{display:block;height:100%;background:var(--share);border-radius:2px}
-.casper ul{list-style:none;margin:0 0 0 .45em;padding:0 0 0 .9em;border-left:1px solid var(--rule)}
-.casper li{margin:.1em 0}.casper summary{cursor:pointer}.casper details>summary::marker{color:var(--faint)}
+.casper ul{list-style:none;margin:0 0 0 .45em!important;padding:0 0 0 .9em!important;border-left:1px solid var(--rule)}
+.casper li{margin:.1em 0!important}.casper details{border:0;padding:0!important;margin:.1em 0!important;background:none;
+box-shadow:none;font-size:inherit}.casper summary{display:list-item;cursor:pointer;list-style:disclosure-closed inside;
+margin:0!important;padding:0!important;min-height:0;background:none;font-weight:inherit;border:0}
+.casper details[open]>summary{list-style-type:disclosure-open}.casper summary::marker{color:var(--faint)}
+.casper summary::before,.casper summary::after{display:none}
 .casper .chip{display:inline-block;padding:.1em .6em;margin:.15em .3em .15em 0;border:1px solid var(--rule);
 border-radius:1em}.casper .chip.ours{border-color:var(--good)}
 .casper svg{display:block;max-width:100%;height:auto;margin:.3em 0;overflow:visible}

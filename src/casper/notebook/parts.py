@@ -31,7 +31,8 @@ def bar(share: float) -> Markup:
 def table(rows: Iterable[Sequence[object]], heading: Sequence[object] = ()) -> Markup:
     """Rows of cells, perhaps under a heading."""
     head = [tag("tr", *(tag("th", cell) for cell in heading))] if heading else []
-    return tag("table", *head, *(tag("tr", *(tag("td", cell) for cell in row)) for row in rows))
+    body = (tag("tr", *(tag("td", cell) for cell in row)) for row in rows)
+    return tag("table", *head, *body, class_="rows")  # with a class, for pages dress up tables that have none
 
 
 def chips(texts: Iterable[str], kind: str = "chip") -> Markup:

@@ -28,6 +28,7 @@ PURPOSES: Mapping[str, str] = {
     "behaviour-trees": "casper.planning.behaviour_tree",
     "testing": "pytest --casper-domain; casper.testing",
     "lsp": "casper lsp, for editors",
+    "notebook": "%load_ext casper in a notebook",
 }
 """What each extra is for. Extras that are for developers of the package alone are not told."""
 
