@@ -11,6 +11,7 @@ from casper.kb.program.program import Program
 from casper.kb.relations.relation import Relation
 from casper.kb.relations.undefined import Possible, are_settled
 from casper.kb.terms.clauses import Indicator
+from casper.kb.terms.values.effort import charged_to
 
 
 def row_fixpoint(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator, Relation]:
@@ -21,8 +22,9 @@ def row_fixpoint(program: Program, most_rows: int = MOST_ROWS) -> dict[Indicator
     """
     relations = {i: Relation(*i, program.given[i]) for stratum in program.strata for i in stratum}
     room, round_ = Room(most_rows, relations), 0
-    for stratum in program.strata:
-        round_ = evaluate_stratum(program, stratum, relations, room, round_)
+    with charged_to(room.spend):
+        for stratum in program.strata:
+            round_ = evaluate_stratum(program, stratum, relations, room, round_)
     return relations
 
 

@@ -9,6 +9,7 @@ from casper.kb.errors import BudgetExceeded
 from casper.kb.terms.clauses import Indicator
 
 MOST_ROWS = 20_000_000
+ROWS_A_STEP = 2  # a step that is charged for a large value stands for some 500 bytes
 
 
 @dataclass
@@ -30,6 +31,14 @@ class Room:
     def left(self) -> int:
         """How many more there may be."""
         return self.most_rows - self.taken
+
+    def spend(self, steps: int) -> None:
+        """Count large values as the rows that would be as much work and memory.
+
+        Raises:
+            BudgetExceeded: as `take`.
+        """
+        self.take(ROWS_A_STEP * steps)
 
     def take(self, new: int, of: Indicator | None = None) -> None:
         """Count some new rows, perhaps all of one predicate.

@@ -13,6 +13,7 @@ from casper.kb.terms.unification import Bindings, is_ground, substitute, unify, 
 from casper.kb.terms.unknown import UNKNOWN, may_equal
 from casper.kb.terms.values.aggregates import aggregate, of_values
 from casper.kb.terms.values.arithmetic import EvaluationFailed, compiled
+from casper.kb.terms.values.sizes import check_large
 
 Environment: TypeAlias = list[Any]  # relations, delta rows, emit, absent, failed; then a value for each slot
 CONTEXT = 5  # entries before the first slot: a join keeps nothing of a run, since several threads may run it
@@ -46,7 +47,9 @@ def comparison_step(literal: Literal, known: Set[Variable], slots: Slots, then: 
             return
         if extended is not None:
             for variable, slot in after:
-                environment[slot] = substitute(variable, extended)  # Z = f(X): with X as it is here
+                environment[slot] = made = substitute(variable, extended)  # Z = f(X): with X as it is here
+                if type(made) is Compound:
+                    check_large(made)
             then(environment)
 
     return test
@@ -95,9 +98,7 @@ def aggregate_step(literal: Literal, known: Set[Variable], slots: Slots, then: S
     of_rows = _of_rows(what, rest) if bind.pairs is not None else None
 
     def answers(rows: Iterable[Row], bindings: Bindings, environment: Environment) -> list[Bindings]:
-        return [
-            {**bindings, **{v: environment[slot] for v, slot in own}} for row in rows if bind(row, environment)
-        ]
+        return [{**bindings, **{v: environment[slot] for v, slot in own}} for row in rows if bind(row, environment)]
 
     def work_out(environment: Environment) -> None:
         relation, wanted = environment[0][atom.indicator], key(environment)
@@ -141,7 +142,15 @@ def row_builder(terms: list[Term], slots: Slots) -> Callable[[Environment], Row]
             first, second = at
             return lambda environment: (environment[first], environment[second])
         return lambda environment: tuple([environment[slot] for slot in at])
-    return lambda environment: tuple([_value(term, environment, slots) for term in terms])
+    made = [at for at, term in enumerate(terms) if isinstance(term, Compound) and not is_ground(term)]
+
+    def build(environment: Environment) -> Row:
+        row = tuple([_value(term, environment, slots) for term in terms])
+        for at in made:
+            check_large(row[at])
+        return row
+
+    return build
 
 
 def _value(term: Term, environment: Environment, slots: Slots) -> Term:

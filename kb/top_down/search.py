@@ -16,6 +16,7 @@ from casper.kb.relations.relation import Relation, Row
 from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, substitute, unify
+from casper.kb.terms.values.effort import charged_to
 from casper.kb.top_down.compiled.cells import Cell, deref, freeze, inward, variant
 from casper.kb.top_down.compiled.code import STOP, Frame, Node, Slots, linked, node_of
 from casper.kb.top_down.linking import Code, Computed, Links
@@ -25,6 +26,7 @@ from casper.kb.top_down.running.machine import Machine
 BETWEEN_LOOKS = 256  # steps between two looks at the clock
 DEFAULT_BUDGET = 200_000
 MOST_BLOCKS = 5_000_000  # pieces of memory a search may hold: some 500 MB
+MOST_PAGES = 200_000  # of 4 kB, by which the process may grow meanwhile: 800 MB
 _PLAIN = frozenset((str, int, float, Compound))  # types of values that need no copying
 _BETWEEN_WEIGHINGS = 16_384
 
@@ -96,7 +98,8 @@ class Search:
         slots: Slots = {variable: at for at, variable in enumerate(names, 1)}
         cells: dict[Variable, Cell] = {}
         frame: Frame = [0, *(inward(substitute(name, given), cells) for name in names)]
-        machine = Machine(links, self.meter(body), self.floundering_fails)
+        look = self.meter(body)
+        machine = Machine(links, look, self.floundering_fails)
         stop = Node(STOP, ("", 0), _nothing, None, ROOT)
         chain = linked([*(node_of(literal, slots, given) for literal in body), stop])
         places = range(1, len(names) + 1) if wanted is None else [slots[name] for name in wanted]
@@ -106,8 +109,9 @@ class Search:
                 values = tuple([deref(answer[at]) for at in places])
                 if not all(map(_PLAIN.__contains__, map(type, values))):
                     holes = _named(names, given, answer, own, frame)
-                    values = tuple([freeze(value, holes, Compound) for value in values])
-                    self.steps += len(holes) // 4  # an answer with many open parts is work, too
+                    with charged_to(look):
+                        values = tuple([freeze(value, holes, Compound) for value in values])
+                    look(len(holes) // 4)  # an answer with many open parts is work, too
                 yield values, reason
         except RecursionError:
             raise BudgetExceeded("the search met a term that is nested too deeply: the answer is unknown") from None
@@ -123,7 +127,7 @@ class Search:
 
     def meter(self, body: Sequence[Literal]) -> Callable[[int], int]:
         """What looks at steps, clock and memory now and then: called with the steps since then, it grants some more."""
-        held, weighed = sys.getallocatedblocks(), self.steps
+        held, weighed = _held(), self.steps
 
         def look(used: int) -> int:
             nonlocal weighed
@@ -136,7 +140,7 @@ class Search:
                 raise BudgetExceeded("the search was cancelled: the answer is unknown")
             if self.steps - weighed > _BETWEEN_WEIGHINGS:
                 weighed = self.steps
-                if sys.getallocatedblocks() - held > MOST_BLOCKS:
+                if any(now - before > most for now, before, most in zip(_held(), held, (MOST_BLOCKS, MOST_PAGES))):
                     raise self.stopped(body, f"{self.steps} steps, when it held too much memory")
             return min(BETWEEN_LOOKS, self.budget + 1 - self.steps)
 
@@ -146,6 +150,15 @@ class Search:
         """What is raised when the search has had what it may."""
         name, arity = body[0].atom.indicator if body else ("true", 0)
         return BudgetExceeded(f"the search for {name}/{arity} stopped after {limit}: the answer is unknown")
+
+
+def _held() -> tuple[int, int]:
+    """The blocks that Python holds, and where the system tells, the pages of memory: large values are in no block."""
+    try:
+        with open("/proc/self/statm", "rb") as told:
+            return sys.getallocatedblocks(), int(told.read().split()[1])
+    except OSError:
+        return sys.getallocatedblocks(), 0
 
 
 def _nothing(_: Frame) -> tuple[Term, ...]:

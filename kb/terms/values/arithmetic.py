@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import NIL, Compound, Term, Variable
 from casper.kb.terms.unification import substitute, variables_of
+from casper.kb.terms.values.effort import charge_integer
 from casper.kb.terms.values.failure import EvaluationFailed as EvaluationFailed
 from casper.kb.terms.values.moments import Moment
 
@@ -123,6 +124,8 @@ def _bounded(value: Any) -> Number:
     if isinstance(value, int):
         if value.bit_length() > MOST_BITS:
             raise _NoValue(f"the result has more than {MOST_BITS} bits")
+        if not -_SMALL < value < _SMALL:
+            charge_integer(value.bit_length())
         return value
     if value != value:
         raise _NoValue("it is undefined there")

@@ -9,7 +9,9 @@ from typing import Any, TypeAlias
 from casper.kb.errors import Undefined
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Rigid
-from casper.kb.top_down.compiled.cells import deref, freeze, frozen_is_ground
+from casper.kb.terms.values.effort import SMALL, charge
+from casper.kb.top_down.compiled.cells import deref, freeze
+from casper.kb.top_down.compiled.unifying import is_ground as nothing_open
 
 Values: TypeAlias = tuple[Any, ...]  # one for each argument; None says nothing about it
 Outcome: TypeAlias = "Values | Iterator[Values] | None"
@@ -42,7 +44,7 @@ def is_known(term: Any) -> bool:
 
 def is_ground(term: Any) -> bool:
     """Whether nothing in a walked term is open."""
-    return frozen_is_ground(freeze(term, {}))
+    return nothing_open(term)
 
 
 def walked_list(term: Any) -> tuple[list[Any], Any]:
@@ -52,6 +54,8 @@ def walked_list(term: Any) -> tuple[list[Any], Any]:
     while isinstance(term, tuple) and len(term) == 3 and term[0] == ".":
         items.append(term[1])
         term = deref(term[2])
+    if len(items) > SMALL:
+        charge(len(items))
     return items, term
 
 

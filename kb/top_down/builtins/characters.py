@@ -7,8 +7,9 @@ from typing import Any
 
 from casper.kb.terms.atoms import number_text
 from casper.kb.terms.terms import make_list
+from casper.kb.terms.values.effort import SMALL, charge
 from casper.kb.text.parsing.tokens import number_in
-from casper.kb.top_down.builtins.atoms import text_of
+from casper.kb.top_down.builtins.atoms import checked, text_of
 from casper.kb.top_down.builtins.builtin import (
     Builtin,
     Outcome,
@@ -54,7 +55,8 @@ def _sub_atom(atom: Any, before: Any, length: Any, after: Any, part: Any) -> Out
     start, size, rest = _place(before), _place(length), _place(after)
     if is_known(part):
         return _found(text, text_of(_SUB, part))
-    return ((None, at, end - at, len(text) - end, text[at:end]) for at, end in _spans(len(text), start, size, rest))
+    spans = _spans(len(text), start, size, rest)
+    return ((None, at, end - at, len(text) - end, checked(text[at:end])) for at, end in spans)
 
 
 def _found(text: str, part: str) -> Iterator[Values]:
@@ -110,13 +112,20 @@ def _characters(name: str, items: Any) -> str:
             found.append(chr(item))
         else:
             raise no_meaning(name, "characters or codes", item)
-    return "".join(found)
+    return checked("".join(found))
+
+
+def _spelt(text: str) -> str:
+    """A text whose characters become items."""
+    if len(text) > SMALL:
+        charge(len(text))
+    return text
 
 
 def _spelling(name: str, item_of: Callable[[str], Any]) -> Builtin:
     def run(atom: Any, items: Any) -> Outcome:
         if is_known(atom):
-            return None, make_list(map(item_of, text_of(name, atom)))
+            return None, make_list(map(item_of, _spelt(text_of(name, atom))))
         return _characters(name, items), None
 
     return Builtin(run, _spelt_known)
@@ -126,7 +135,7 @@ def _number_codes(number: Any, codes: Any) -> Outcome:
     if is_known(number) and type(number) is not int and type(number) is not float:
         raise no_meaning("number_codes/2", "a number", number)
     if is_known(number) and not (has_end(codes) and is_ground(codes)):
-        return None, make_list(map(ord, number_text(number)))
+        return None, make_list(map(ord, _spelt(number_text(number))))
     found = _number_in(_characters("number_codes/2", codes))
     if found is None:
         raise no_meaning("number_codes/2", "the codes of a number", codes)
@@ -144,7 +153,7 @@ def _char_code(char: Any, code: Any) -> Outcome:
 
 
 def _cased(name: str, change: Callable[[str], str]) -> Builtin:
-    return Builtin(lambda atom, _: (None, change(text_of(name, atom))), _first_known)
+    return Builtin(lambda atom, _: (None, change(_spelt(text_of(name, atom)))), _first_known)
 
 
 def _each(change: Callable[[str], str]) -> Callable[[str], str]:

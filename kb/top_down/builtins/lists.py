@@ -8,6 +8,8 @@ from typing import Any
 
 from casper.kb.terms.terms import Compound, Term, make_list
 from casper.kb.terms.values.arithmetic import evaluate
+from casper.kb.terms.values.effort import charge
+from casper.kb.terms.values.sizes import MOST_PARTS, too_large
 from casper.kb.top_down.builtins.builtin import (
     Builtin,
     Outcome,
@@ -21,7 +23,14 @@ from casper.kb.top_down.builtins.builtin import (
     walked_list,
 )
 from casper.kb.top_down.builtins.order import ordered, without_repeats
-from casper.kb.top_down.compiled.cells import Trail, deref, freeze, fresh_variable, open_cell, undo
+from casper.kb.top_down.compiled.cells import (
+    Trail,
+    deref,
+    freeze,
+    fresh_variable,
+    open_cell,
+    undo,
+)
 from casper.kb.top_down.compiled.unifying import unify
 
 
@@ -44,7 +53,19 @@ def _length(whole: Any, number: Any) -> Outcome:
         return _lengths(len(items))
     if number < len(items):
         return None
-    return runtime_list([*items, *(open_cell() for _ in range(number - len(items)))]), None
+    return runtime_list([*items, *_open_cells(number - len(items))]), None
+
+
+def _open_cells(number: int) -> list[Any]:
+    """So many open items of a list.
+
+    Raises:
+        BudgetExceeded: they are too many.
+    """
+    if number > MOST_PARTS:
+        raise too_large()
+    charge(number)
+    return [open_cell() for _ in range(number)]
 
 
 def _lengths(shortest: int) -> Iterator[Values]:
@@ -109,7 +130,7 @@ def _item(number: Any, whole: Any, _: Any) -> Outcome:
         return None, None, items[number]
     if is_known(end) or number < 0:
         return None
-    cells: list[Any] = [open_cell() for _ in range(number + 1 - len(items))]
+    cells = _open_cells(number + 1 - len(items))
     return None, runtime_list([*items, *cells], open_cell()), cells[-1]
 
 

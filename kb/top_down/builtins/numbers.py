@@ -7,6 +7,7 @@ from itertools import count
 from typing import Any
 
 from casper.kb.terms.terms import make_list
+from casper.kb.terms.values.effort import charge
 from casper.kb.top_down.builtins.builtin import Builtin, Outcome, Values, is_known, no_meaning
 
 MOST_LISTED = 1_000_000  # numbers that numlist/3 lists
@@ -66,7 +67,10 @@ def _numlist(low: Any, high: Any, _: Any) -> Outcome:
     _checked("numlist/3", low, high)
     if high - low > MOST_LISTED:
         raise no_meaning("numlist/3", f"at most {MOST_LISTED:,} numbers", high)
-    return (None, None, make_list(range(low, high + 1))) if low <= high else None
+    if low > high:
+        return None
+    charge(high - low)
+    return None, None, make_list(range(low, high + 1))
 
 
 NUMBERS = {

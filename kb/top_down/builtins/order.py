@@ -6,10 +6,13 @@ from functools import cmp_to_key
 from typing import Any
 
 from casper.kb.terms.terms import Term
+from casper.kb.terms.values.effort import SMALL, charge
 
 
 def ordered(terms: list[Term]) -> list[Term]:
     """The terms in standard order; equal ones stay as they come."""
+    if len(terms) > SMALL:
+        charge(4 * len(terms))
     return sorted(terms, key=cmp_to_key(compared))
 
 
@@ -21,7 +24,11 @@ def without_repeats(terms: list[Term]) -> list[Term]:
 def compared(left: Term, right: Term) -> int:
     """Below zero, zero or above: as the left term stands before, with or behind the right one."""
     waiting = [(left, right)]
+    seen = 0
     while waiting:
+        seen += 1
+        if seen % SMALL == 0:
+            charge(SMALL)
         left, right = waiting.pop()
         if left is right:
             continue

@@ -13,12 +13,13 @@ from collections.abc import Hashable, Iterable
 from itertools import count
 from typing import Any, TypeAlias
 
-from casper.kb.errors import BudgetExceeded
 from casper.kb.terms.terms import Compound, Rigid, Term, Variable
+from casper.kb.terms.values.effort import SMALL, charge
+from casper.kb.terms.values.sizes import check_size
 
 Cell: TypeAlias = list[Any]
-MOST_PARTS = 1 << 22  # compound parts of a term that is copied: some 400 MB
 MANY = 1 << 16  # compound parts from which it is looked at how many there are: shared ones double with every level
+_LITTLE = 2  # parts along last arguments that are not charged for; most of a large term lies on longer ways
 UNBOUND: Any = type("Unbound", (), {"__slots__": (), "__repr__": lambda _: "unbound"})()
 NO_TERM: Any = type("NoTerm", (), {"__slots__": (), "__eq__": lambda a, b: False, "__hash__": lambda _: 0})()
 serials = count(1)  # shared by all searches: one may hand its variables to another, through valid/1
@@ -28,13 +29,9 @@ _NOT_GROUND = frozenset((Variable, Rigid, tuple))  # types of what is not ground
 
 
 class Trail(list[Cell]):
-    """Cells in the order in which they were bound; ``toil`` counts work on large terms, in steps."""
+    """Cells in the order in which they were bound."""
 
-    __slots__ = ("toil",)
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.toil = 0
+    __slots__ = ()
 
 
 def fresh_variable() -> Variable:
@@ -71,11 +68,18 @@ def freeze(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]] =
     `Compound` as ``kind`` every compound is one: that is how the rest of the system knows terms.
 
     Raises:
-        BudgetExceeded: it has too many parts; as it is copied, a part that is shared counts as often as it occurs.
+        BudgetExceeded: it has too many parts; a part that is shared counts as often as it occurs.
     """
     term = deref(term)
     if type(term) is tuple:
-        return _frozen(term, holes, kind, _Room(term))
+        room = _Room()
+        try:
+            frozen = _frozen(term, holes, kind, room)
+        except _Full:
+            return _frozen_once(term, holes, kind)
+        if room.left < MANY - SMALL:
+            charge(MANY - room.left)
+        return frozen
     return _hole(term, holes) if type(term) is list else term
 
 
@@ -94,7 +98,7 @@ def _frozen(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]],
         spine.append(parts)
     room.left -= len(spine)
     if room.left < 0:
-        room.enlarge()
+        raise _Full
     if type(term) is list:
         term = _hole(term, holes)
     for parts in reversed(spine):
@@ -111,6 +115,27 @@ def _frozen(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]],
     return term
 
 
+def _frozen_once(term: Any, holes: dict[int, Variable], kind: type[tuple[Term, ...]]) -> Term:
+    """As `_frozen`, of a term with many parts: what is shared is copied once, and shared in the copy."""
+    check_size([term])
+    known: dict[int, Term] = {}
+    waiting = [term]
+    while waiting:
+        whole = waiting[-1]
+        parts = [deref(part) for part in whole]
+        inner = [part for part in parts if type(part) is tuple and id(part) not in known]
+        if inner and id(whole) not in known:
+            waiting.extend(inner)
+            continue
+        waiting.pop()
+        if id(whole) not in known:
+            parts = [known[id(p)] if type(p) is tuple else _hole(p, holes) if type(p) is list else p for p in parts]
+            is_open = kind is not Compound and any(type(part) in _NOT_GROUND for part in parts)
+            known[id(whole)] = tuple(parts) if is_open else Compound(parts)
+    charge(len(known))
+    return known[id(term)]
+
+
 def _hole(cell: Cell, holes: dict[int, Variable]) -> Variable:
     """What an unbound cell is called."""
     found = holes.get(id(cell))
@@ -120,38 +145,16 @@ def _hole(cell: Cell, holes: dict[int, Variable]) -> Variable:
 
 
 class _Room:
-    """How many parts of a term may be copied before it is looked at whether that will ever end."""
+    """How many parts of a term may be copied before it is looked at which of them are shared."""
 
-    __slots__ = ("left", "term")
+    __slots__ = ("left",)
 
-    def __init__(self, term: Any) -> None:
-        self.left, self.term = MANY, term
-
-    def enlarge(self) -> None:
-        """Go on where the whole term is not too large."""
-        check_size([self.term])
-        self.left = MOST_PARTS
+    def __init__(self) -> None:
+        self.left = MANY
 
 
-def check_size(terms: Iterable[Any]) -> None:
-    """Refuse terms that would be too large as trees, in the time that their parts take when each is looked at once.
-
-    Raises:
-        BudgetExceeded: one has more than ``MOST_PARTS`` compound parts, each counted as often as it occurs.
-    """
-    sizes: dict[int, int] = {}
-    waiting = [term for term in map(deref, terms) if isinstance(term, tuple)]
-    while waiting:
-        term = waiting[-1]
-        parts = [part for part in map(deref, term) if isinstance(part, tuple)]
-        inner = [part for part in parts if id(part) not in sizes]
-        if inner and id(term) not in sizes:
-            waiting.extend(inner)
-            continue
-        waiting.pop()
-        sizes[id(term)] = size = 1 + sum(sizes[id(part)] for part in parts)
-        if size > MOST_PARTS:
-            raise BudgetExceeded(f"the search met a term of more than {MOST_PARTS:,} parts: the answer is unknown")
+class _Full(Exception):
+    """There are more parts than that."""
 
 
 def frozen_is_ground(term: Term) -> bool:
@@ -187,6 +190,8 @@ def thaw(term: Term, cells: dict[Variable, Cell], stamp: int = 0) -> Any:
     while type(term) is tuple:  # a Compound is ground
         spine.append([thaw(p, cells, stamp) if type(p) is tuple or type(p) is Variable else p for p in term[:-1]])
         term = term[-1]
+    if len(spine) > _LITTLE:
+        charge(len(spine))
     value: Any = _cell(term, cells, stamp) if type(term) is Variable else term
     for parts in reversed(spine):
         parts.append(value)
@@ -200,6 +205,8 @@ def inward(term: Term, cells: dict[Variable, Cell], stamp: int = 0) -> Any:
     while isinstance(term, tuple):
         spine.append(term)
         term = term[-1]
+    if len(spine) > _LITTLE:
+        charge(len(spine))
     value: Any = NO_TERM if type(term) is list else term
     if type(term) is Variable:
         value = _cell(term, cells, stamp)
@@ -254,4 +261,6 @@ def variant(terms: Iterable[Term]) -> Hashable:
             key += (_HOLE, numbers.setdefault(term, len(numbers)))
         else:
             key.append(term)
+    if len(key) > SMALL:
+        charge(len(key))
     return tuple(key)

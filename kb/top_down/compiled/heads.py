@@ -141,7 +141,7 @@ def _structure(term: Compound, slots: dict[Variable, int], known: set[Variable])
             if below is UNBOUND:
                 for slot in may_hold:
                     held = deref(frame[slot])
-                    if held is value or (type(held) is tuple and occurs(value, held, trail)):
+                    if held is value or (type(held) is tuple and occurs(value, held)):
                         return False
                 value[0] = build(frame)
                 if value[1] < top:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from casper.kb.terms.terms import Rigid, Variable
+from casper.kb.terms.values.effort import SMALL, charge
 from casper.kb.top_down.compiled.cells import MANY, Cell, Trail, deref
 
 
@@ -24,7 +26,7 @@ def unify(left: Any, right: Any, trail: Trail, top: int) -> bool:
             if type(left) is not list and type(right) is list:
                 left, right = right, left
             if type(left) is list:
-                if type(right) is tuple and occurs(left, right, trail):
+                if type(right) is tuple and occurs(left, right):
                     return False
                 left[0] = right
                 if left[1] < top:
@@ -35,25 +37,26 @@ def unify(left: Any, right: Any, trail: Trail, top: int) -> bool:
                 if left[0] != right[0] and type(left[0]) is not list and type(right[0]) is not list:
                     return False
                 count += 1
+                if count % SMALL == 0:
+                    charge(SMALL)
                 if count < MANY or _is_new((id(left), id(right)), met):
                     waiting.extend(zip(left[:0:-1], right[:0:-1]))
             elif isinstance(right, tuple) or left != right:
                 return False
         if not waiting:
-            trail.toil += count // 64
             return True
         left, right = waiting.pop()
 
 
-def occurs(cell: Cell, term: tuple[Any, ...], trail: Trail) -> bool:
+def occurs(cell: Cell, term: tuple[Any, ...]) -> bool:
     """Whether an unbound cell is somewhere in a compound term; looking at a large one is charged for."""
     waiting: list[Any] = [term]
     met: set[int] = set()
     seen = 0
     while waiting:
         seen += 1
-        if seen % 64 == 0:
-            trail.toil += 1
+        if seen % SMALL == 0:
+            charge(SMALL)
         for part in waiting.pop():
             part = deref(part)
             if part is cell:
@@ -61,6 +64,28 @@ def occurs(cell: Cell, term: tuple[Any, ...], trail: Trail) -> bool:
             if type(part) is tuple and (seen < MANY or _is_new(id(part), met)):
                 waiting.append(part)
     return False
+
+
+def is_ground(term: Any) -> bool:
+    """Whether a term has no open cell now, and nothing rigid; nothing is copied."""
+    term = deref(term)
+    if type(term) is not tuple:
+        return type(term) is not list and type(term) is not Rigid
+    waiting: list[Any] = [term]
+    met: set[int] = set()
+    seen = 0
+    while waiting:
+        seen += 1
+        if seen % SMALL == 0:
+            charge(SMALL)
+        for part in waiting.pop():
+            part = deref(part)
+            if type(part) is tuple:
+                if seen < MANY or _is_new(id(part), met):
+                    waiting.append(part)
+            elif type(part) is list or type(part) is Rigid or type(part) is Variable:
+                return False
+    return True
 
 
 def _is_new(key: Any, met: set[Any]) -> bool:

@@ -11,6 +11,7 @@ from casper.kb.terms.terms import Compound, Term, Variable
 from casper.kb.terms.unification import Bindings, is_ground, unify
 from casper.kb.terms.values.aggregates import aggregate
 from casper.kb.terms.values.arithmetic import EvaluationFailed
+from casper.kb.terms.values.effort import charge
 from casper.kb.top_down.compiled.cells import deref, freeze, inward, variant
 from casper.kb.top_down.compiled.code import Frame, Node
 from casper.kb.top_down.compiled.unifying import unify as unify_cells
@@ -31,7 +32,6 @@ def aggregated(work: Workspace, node: Node, frame: Frame, cont: Cont, doubt: str
     asked = freeze(atom, holes, Compound)
     name, args = (asked[0], tuple(asked[1:])) if isinstance(asked, tuple) else (asked, ())
     goal = ((name, len(args)), variant(args))
-    work.toil += len(goal[1]) // 64  # type: ignore[arg-type]
     table, strand.collected = strand.collected or work.done.get(goal), None
     if table is not None:
         return _worked_out(work, freeze(what, holes, Compound), args, table, (node, frame, cont), doubt, strand, result)
@@ -87,7 +87,7 @@ def _worked_out(
     result: Any,
 ) -> State | None:
     node, frame, cont = here
-    work.toil += len(table.answers) // 8
+    charge(8 * len(table.answers))
     reason = _doubt(table)
     if reason:
         return node.next, frame, cont, doubt or reason

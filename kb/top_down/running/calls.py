@@ -104,7 +104,6 @@ def _tabled(
     holes: dict[int, Any] = {}
     frozen = tuple([freeze(arg, holes) for arg in args])
     call, engine = (node.key, variant(frozen)), work.engines[-1]
-    work.toil += len(call[1]) // 64  # type: ignore[arg-type]
     table = work.done.get(call)
     if table is not None:
         return offered(work, iter(table.answers), args, cont, doubt, strand) if table.answers else None

@@ -55,7 +55,6 @@ class Workspace:
     Attributes:
         look: told of steps, it gives those that may follow before it is told again, or raises: the search has to stop.
         serial: how many choice points there have been.
-        toil: steps that are charged for terms so large that looking at them is work.
         done: complete tables.
         verdicts: of negated goals.
         open: negated goals that are undefined as long as the goal of an engine further down is, and which engine.
@@ -64,7 +63,7 @@ class Workspace:
 
     def __init__(self, links: Links, look: Callable[[int], int], floundering_fails: bool) -> None:
         self.links, self.look, self.floundering_fails = links, look, floundering_fails
-        self.serial = self.toil = 0
+        self.serial = 0
         self.engines: list[Engine] = []
         self.done: dict[Hashable, Table] = {}
         self.verdicts: dict[Goal, Verdict] = {}

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from casper.kb.terms.values.effort import METER, taken
 from casper.kb.top_down.compiled.cells import freeze
 from casper.kb.top_down.compiled.code import AGGREGATE, CALL, COMPARE, NEGATE, STOP, Frame, Node
 from casper.kb.top_down.compiled.unifying import unify
@@ -66,9 +67,7 @@ class Machine(Workspace):
     def _rest(self, strand: Strand, engine: Engine) -> None:
         """Look at the clock; where the strand's turn is over, part it and let the others go on."""
         if self.left <= 0:
-            used, self.toil = self.granted - self.left + self.toil + strand.trail.toil, 0
-            strand.trail.toil = 0
-            self.granted = self.left = self.look(used)
+            self.granted = self.left = self.look(self.granted - self.left)
         if strand.turn > 0:
             engine.queue.appendleft(strand)
             return
@@ -78,7 +77,14 @@ class Machine(Workspace):
             engine.queue.append(oldest)
 
     def _run(self, strand: Strand) -> int:
-        """Work on a strand until something happens; what happened."""
+        """Work on a strand until something happens; what happened. What large terms cost is this search's."""
+        outer, METER.look = METER.look, self.look
+        try:
+            return self._worked(strand)
+        finally:
+            METER.look = outer
+
+    def _worked(self, strand: Strand) -> int:
         state = None if strand.failing else (strand.node, strand.frame, strand.cont, strand.doubt)
         strand.failing, strand.event = False, DEAD
         began = left = min(self.left, strand.turn)
@@ -97,6 +103,8 @@ class Machine(Workspace):
                 break
             left -= 1
             state = _INSTRUCTIONS[node.kind](self, node, frame, cont, doubt, strand)
+        if METER.parts:
+            self.left -= taken()
         self.left -= began - left
         strand.turn -= began - left
         return strand.event

@@ -22,7 +22,6 @@ def negated(work: Workspace, node: Node, frame: Frame, cont: Cont, doubt: str, s
     if link.how == STORED or link.how == DOUBTFUL:
         return _after(following, doubt, _negation(absent(link, node.key[0], args, frozen)))
     goal = (node.key, variant(frozen))
-    work.toil += len(goal[1]) // 64  # type: ignore[arg-type]
     if goal in work.verdicts:
         return _after(following, doubt, work.verdicts[goal])
     place = work.in_progress.get(goal, work.open.get(goal))

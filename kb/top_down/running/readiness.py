@@ -12,11 +12,12 @@ from casper.kb.terms.syntax import COMPARISONS
 from casper.kb.terms.terms import Compound, Variable
 from casper.kb.terms.unification import renamed
 from casper.kb.terms.values.arithmetic import EvaluationFailed
+from casper.kb.terms.values.sizes import check_large
 from casper.kb.text.writer import literal_text
 from casper.kb.top_down.builtins.control import REFUTED
-from casper.kb.top_down.compiled.cells import Trail, deref, freeze, fresh_variable, frozen_is_ground, has_rigid
+from casper.kb.top_down.compiled.cells import Trail, deref, freeze, fresh_variable, has_rigid
 from casper.kb.top_down.compiled.code import AGGREGATE, CALL, COMPARE, NEGATE, STOP, Frame, Node
-from casper.kb.top_down.compiled.unifying import unify
+from casper.kb.top_down.compiled.unifying import is_ground, unify
 from casper.kb.top_down.linking import BUILT_IN, CONTROLLED, Links
 from casper.kb.top_down.running.engine import Workspace
 from casper.kb.top_down.running.strands import Cont, State
@@ -24,6 +25,7 @@ from casper.kb.top_down.running.strands import Cont, State
 UNDECIDED = (Undefined, EvaluationFailed)  # what evaluating raises where a condition is neither true nor false
 _VALUE = Variable("_#value")
 _ORDER = {"<": int.__lt__, ">": int.__gt__, "=<": int.__le__, ">=": int.__ge__}
+_SAME = {"=": True, "==": True, "\\=": False, "\\==": False}  # of ground terms
 _SUMS = {"+": int.__add__, "-": int.__sub__, "*": int.__mul__}
 _SMALL = 10**9  # below it neither a sum nor a product comes near any limit
 
@@ -59,17 +61,24 @@ def compared(node: Node, pair: tuple[Any, Any], trail: Trail, top: int) -> bool 
             return unify(left, value, trail, top)
     elif type(left) is int and type(right) is int and operator in _ORDER:
         return _ORDER[operator](left, right) is not negated
-    holes: dict[int, Variable] = {}
-    frozen = freeze(right, holes)
-    if operator != "is" or negated:
-        frozen_left = freeze(left, holes)
-        if not (frozen_is_ground(frozen) and frozen_is_ground(frozen_left)):
-            return None
-        return compare(Literal(Compound((operator, frozen_left, frozen)), negated), {}) is not None
-    if not frozen_is_ground(frozen):
+    if not is_ground(right):
         return None
-    found = compare(Literal(Compound(("is", _VALUE, frozen))), {})
-    return found is not None and unify(left, found[_VALUE], trail, top)
+    if operator == "is" and not negated:
+        found = compare(Literal(Compound(("is", _VALUE, _evaluable(right)))), {})
+        return found is not None and unify(left, found[_VALUE], trail, top)
+    if not is_ground(left):
+        return None
+    if operator in _SAME:
+        return unify(left, right, trail, top) is (_SAME[operator] is not negated)
+    return compare(Literal(Compound((operator, _evaluable(left), _evaluable(right))), negated), {}) is not None
+
+
+def _evaluable(term: Any) -> Any:
+    """A ground term that is looked at as a tree: as it is copied, or now, it is refused where that would never end."""
+    frozen = freeze(term, {})
+    if type(frozen) is Compound:
+        check_large(frozen)
+    return frozen
 
 
 def _quick(term: Any) -> int | None:
@@ -110,8 +119,8 @@ def is_ready(node: Node, frame: Frame, links: Links) -> bool:
 
 def _comparable(operator: str, negated: bool, args: tuple[Any, ...]) -> bool:
     if negated or operator not in ("=", "is"):
-        return all(frozen_is_ground(freeze(arg, {})) for arg in args)
-    return operator == "=" or frozen_is_ground(freeze(args[1], {}))
+        return all(map(is_ground, args))
+    return operator == "=" or is_ground(args[1])
 
 
 def goal_is_ready(args: tuple[Any, ...], links: Links) -> bool:
@@ -121,7 +130,7 @@ def goal_is_ready(args: tuple[Any, ...], links: Links) -> bool:
         return type(goal) is not list  # a number is no goal, and that is told
     name, inner = (goal[0], (*goal[1:], *args[1:])) if isinstance(goal, tuple) else (goal, args[1:])
     if (name, len(inner)) in (("\\+", 1), ("not", 1), ("forall", 2)):
-        return all(frozen_is_ground(freeze(arg, {})) for arg in inner)
+        return all(map(is_ground, inner))
     if (name, len(inner)) in ((AGGREGATE_NAME, 3), ("findall", 3)):
         own: dict[int, Variable] = {}
         freeze(inner[0], own)
@@ -140,7 +149,7 @@ def goal_is_ready(args: tuple[Any, ...], links: Links) -> bool:
 
 def _control_is_ready(what: object, args: tuple[Any, ...], links: Links) -> bool:
     if what == REFUTED:
-        return frozen_is_ground(freeze(args[0], {}))
+        return is_ground(args[0])
     return isinstance(what, bool) or goal_is_ready(args, links)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from casper.kb.terms.values.effort import charge
 from casper.kb.top_down.compiled.cells import Cell, inward, thaw, undo
 from casper.kb.top_down.compiled.code import CALL
 from casper.kb.top_down.compiled.unifying import unify
@@ -41,9 +42,9 @@ def _next_values(work: Workspace, choice: Choice, strand: Strand) -> State | Non
     trail, top = strand.trail, choice.serial
     for arg, value in zip(choice.args, values):
         if value is not None and not unify(arg, inward(value, cells, work.serial), trail, top):
-            work.toil += len(cells) // 2
+            charge(32 * len(cells))
             return _FAIL, [], choice.cont, ""
-    work.toil += len(cells) // 2  # values with many open parts are work, too
+    charge(32 * len(cells))  # values with many open parts are work, too
     return None, [], choice.cont, choice.doubt or doubt
 
 

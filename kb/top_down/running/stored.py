@@ -9,9 +9,18 @@ from casper.kb.relations.relation import Columns, Relation, Row
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unknown import opened
-from casper.kb.top_down.compiled.cells import UNBOUND, Trail, freeze, frozen_is_ground, inward, serials, undo
+from casper.kb.terms.values.sizes import check_large
+from casper.kb.top_down.compiled.cells import (
+    UNBOUND,
+    Trail,
+    freeze,
+    frozen_is_ground,
+    inward,
+    serials,
+    undo,
+)
 from casper.kb.top_down.compiled.code import Frame, Node
-from casper.kb.top_down.compiled.unifying import unify
+from casper.kb.top_down.compiled.unifying import is_ground, unify
 from casper.kb.top_down.linking import Link
 from casper.kb.top_down.running.engine import Workspace
 from casper.kb.top_down.running.strands import ROWS, Choice, Cont, State, Strand
@@ -75,7 +84,7 @@ def pattern(args: tuple[Any, ...]) -> tuple[Columns, Row, list[Any], list[int]]:
             if value is UNBOUND:
                 break
             arg = value
-        if type(arg) is tuple:
+        if isinstance(arg, tuple):
             arg = _known_or_open(arg)
         if type(arg) is list or type(arg) is tuple:
             open_.append(arg)
@@ -87,9 +96,16 @@ def pattern(args: tuple[Any, ...]) -> tuple[Columns, Row, list[Any], list[int]]:
 
 
 def _known_or_open(term: tuple[Any, ...]) -> Any:
-    """A compound term without cells, where it is ground."""
+    """A compound term without cells, where it is ground; its hash is that of a tree.
+
+    Raises:
+        BudgetExceeded: that tree is too large.
+    """
+    if not is_ground(term):
+        return term
     frozen = freeze(term, {})
-    return frozen if frozen_is_ground(frozen) else term
+    check_large(frozen)
+    return frozen
 
 
 def doubtful_rows(link: Link, args: tuple[Any, ...], name: str) -> Iterator[tuple[Row, str]]:

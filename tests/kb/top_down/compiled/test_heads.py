@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.terms.terms import Compound, Variable, make_list
 from casper.kb.terms.unification import substitute, unify
+from casper.kb.terms.values.effort import PARTS_A_STEP, charged_to
 from casper.kb.top_down.compiled.cells import UNBOUND, Trail, freeze, inward, undo, variant
 from casper.kb.top_down.compiled.code import CompiledClause
 from casper.kb.top_down.compiled.unifying import occurs
@@ -72,9 +73,12 @@ def test_a_binding_is_noted_where_the_cell_is_older_than_the_choice_alone():
 
 
 def test_looking_for_a_cell_in_a_large_term_is_charged_for_by_its_size():
-    cell, other, trail = [UNBOUND, OLD], [UNBOUND, OLD], Trail()
+    cell, other = [UNBOUND, OLD], [UNBOUND, OLD]
     term = ("f", "a", other)
     for _ in range(639):
         term = ("f", "a", term)
-    assert not occurs(cell, term, trail) and trail.toil == 10
-    assert occurs(other, term, trail)
+    told = []
+    with charged_to(told.append):
+        assert not occurs(cell, term)
+    assert sum(told) == 640 // PARTS_A_STEP
+    assert occurs(other, term)
