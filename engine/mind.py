@@ -35,6 +35,7 @@ from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.lines import Line, Span, line, one_line, text_of
 
+
 class Mind:
     """Watches one partner of a domain.
 

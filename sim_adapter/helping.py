@@ -104,7 +104,7 @@ class Helper:
 
     def settle(self) -> None:
         """See that what was done came to rest where it belongs: before others move it again, and at the end."""
-        last = {action[1]: action for action in self._to_check}  # what the robot moved on itself is where it was last put
+        last = {action[1]: action for action in self._to_check}  # what the robot moves on is where it was put last
         for action in last.values():
             self.is_good = self.is_good and self.simulation.rests_in(str(action[1]), str(action[2]))
         self._to_check = []

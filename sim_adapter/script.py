@@ -45,7 +45,15 @@ def script_for(domain: Domain, goal: str, seed: int = 0) -> list[ScriptedAction]
     plans = list(islice(ways, MOST_WAYS))
     if not plans:
         raise DomainError(f"there is no goal {goal!r}: choose {', '.join(domain.library.goals)}")
-    plan = random.Random(seed).choice(plans)
+    return acted_out(domain, random.Random(seed).choice(plans))
+
+
+def acted_out(domain: Domain, plan: Plan) -> list[ScriptedAction]:
+    """All actions of a plan, those of every alternative, every action fully known.
+
+    Raises:
+        PlanError: an action has unknown parts that the rules do not settle.
+    """
     doers = [_doer(domain, action.by) for action in plan.actions]
     return [ScriptedAction(a, step_for(domain, a), by) for a, by in zip(_grounded(domain, plan), doers)]
 

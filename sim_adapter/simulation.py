@@ -137,8 +137,8 @@ class Simulation:
     def _make_way(self) -> None:
         """Those of several people who have nothing to do make way for one who has waited for a while."""
         idle = [human for human in self.people.values() if human.idle] if len(self.people) > 1 else []
-        movers = [(None, self.robot.base), *((name, human.walk) for name, human in self.people.items())]
-        for name, mover in movers if idle else ():
+        movers: dict[str | None, RobotBase | HumanWalk] = {name: human.walk for name, human in self.people.items()}
+        for name, mover in {None: self.robot.base, **movers}.items() if idle else ():
             if mover.held_up >= HELD_UP:
                 mover.held_up = 0.0 if name is not None else mover.held_up
                 for human in (h for h in idle if h.name != name and h.idle):
@@ -157,7 +157,11 @@ class Simulation:
             discs = [*rest, Disc(*spot, radius)]
             return any(mover.navigator.path(place, goal, discs) is not None for goal in near)
 
-        spot = None if through(human.place) else spot_out_of_the_way(human.walk.navigator, human.place, self._discs(human.name), through)
+        spot = (
+            None
+            if through(human.place)
+            else spot_out_of_the_way(human.walk.navigator, human.place, self._discs(human.name), through)
+        )
         if spot is not None:
             human.make_way(spot)
 

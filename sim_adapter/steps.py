@@ -9,7 +9,8 @@ from dataclasses import dataclass, field
 from casper.kb.errors import DomainError
 from casper.sim_adapter.room.scene import Scene
 
-SKILLS = ("pick_and_place", "use", "walk_to", "still", "stand_aside", "step_back")
+HANDLING = ("pick_and_place", "use")  # what a plan's step may be
+SKILLS = (*HANDLING, "walk_to", "still", "stand_aside", "step_back")
 
 Ticks = Generator[None, None, None]
 """A skill under way: each ``yield`` hands the clock back until the next control step."""
@@ -82,7 +83,6 @@ class StepQueue:
         else:
             self.failed.append((self.current, reason))
         self.current = None
-
 
     def end(self) -> None:
         """The current step was ended before it was done."""

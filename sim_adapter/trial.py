@@ -1,6 +1,6 @@
 """A trial of the paper's experiment (section V-E), or a whole day: partners pursue goals, minds watch, the robot helps.
 
-    partner (script) -> physics -> sensor -> world state -> mind -> events -> robot (physics)
+partner (script) -> physics -> sensor -> world state -> mind -> events -> robot (physics)
 """
 
 from __future__ import annotations

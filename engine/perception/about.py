@@ -1,4 +1,4 @@
-"""What an action is about, where things lie on one another: what was in the hand, at the places that are attended to."""
+"""What an action is about, where things lie on one another: what was in the hand, at a place that is attended to."""
 
 from __future__ import annotations
 
@@ -56,4 +56,5 @@ def about(focus: Focus, handled: str | None, world: WorldState) -> About:
         for name, thing in things.items()
         if name != target and any(math.hypot(thing.x - at.x, thing.y - at.y) < TOGETHER for at in there)
     ]
-    return About(target, tuple(sorted(places, key=lambda name: -(things[name].z or 0.0))))
+    places.sort(key=lambda name: -(things[name].z or 0.0))
+    return About(target, tuple(places))

@@ -14,7 +14,9 @@ MOST_TRIED = 40  # spots
 FAR = 3  # cells between two spots that are tried
 
 
-def spot_out_of_the_way(idle: Navigator, here: Point, others: Sequence[Disc], through: Callable[[Point], bool]) -> Point | None:
+def spot_out_of_the_way(
+    idle: Navigator, here: Point, others: Sequence[Disc], through: Callable[[Point], bool]
+) -> Point | None:
     """The nearest spot for one who stands ``here`` at which the other one has a way; None when none was found.
 
     Args:

@@ -51,5 +51,7 @@ def test_a_folder_that_cannot_be_is_one_sentence(casper):
 
 def test_a_template_nobody_knows_names_those_there_are(casper, tmp_path):
     told = casper("new", str(tmp_path / "mine"), "--like", "kitchn")
-    assert told.code == 2 and "did you mean kitchen?" in told.err and "care_home, kitchen, minimal, workshop" in told.err
+    assert (
+        told.code == 2 and "did you mean kitchen?" in told.err and "care_home, kitchen, minimal, workshop" in told.err
+    )
     assert not (tmp_path / "mine").exists()

@@ -11,13 +11,13 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
-from casper.engine.domain.check import check_domain
 from casper.kb.reasons.doubt import Doubt
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
 from casper.kb.text.writer import answer_json
 from casper.server.answers import verdict_json
 from casper.server.conversation import DEFAULT, Conversation
+from casper.sim_adapter.checking import check_whole
 
 MOST_ANSWERS = 10_000
 
@@ -170,7 +170,7 @@ def plan_for(served: Conversation, agent: str = "", reading: str = DEFAULT) -> d
 
 def check(served: Conversation) -> list[dict[str, Any]]:
     """All that is wrong with the domain's files as they are now: what ``casper check --json`` prints."""
-    return [finding.to_json() for finding in check_domain(served.domain.folder)]
+    return [finding.to_json() for finding in check_whole(served.domain.folder)]
 
 
 TEXT, TRUTH, NUMBER = {"type": "string"}, {"type": "boolean"}, {"type": "integer"}

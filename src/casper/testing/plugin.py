@@ -94,10 +94,10 @@ class DomainItem(pytest.Item):
 
 
 def _tests_of(parent: DomainFolder, folder: Path) -> Iterator[DomainItem]:
-    from casper.engine.domain.check import check_domain
     from casper.engine.domain.domain import Domain
     from casper.engine.domain.examples import TESTS, examples_of, failure
     from casper.kb.errors import CasperError
+    from casper.sim_adapter.checking import check_whole
     from casper.testing.laws import LAWS
 
     def made(name: str, check: Callable[[], None], file: Path = folder, line: int | None = None) -> DomainItem:
@@ -109,7 +109,7 @@ def _tests_of(parent: DomainFolder, folder: Path) -> Iterator[DomainItem]:
     except CasperError as mistake:
         yield made("loads", partial(_refuse, mistake))
         return
-    yield made("check", lambda: _checked(check_domain(folder)))
+    yield made("check", lambda: _checked(check_whole(folder)))
     for example in examples:
         tried = partial(_tried, failure, domain, example)
         yield made(f"example {example}", tried, folder / TESTS, example.place.line - 1)

@@ -20,12 +20,12 @@ def check(domain: DomainName, quiet: Quiet = False, as_json: AsJson = False) -> 
     Exit code 0 without errors (there may be warnings and notes), 1 with errors, 2 when there is no such domain.
     """
     from casper.cli.terminal.progress import progress
-    from casper.engine.domain.check import check_domain
     from casper.engine.domain.domain import SHIPPED, find_domain
     from casper.kb.checks.finding import Severity
+    from casper.sim_adapter.checking import check_whole
 
     with progress("checking", None, quiet):
-        findings = check_domain(domain)
+        findings = check_whole(domain)
     show_findings(findings, (find_domain(domain), SHIPPED), as_json)
     raise typer.Exit(1 if any(f.severity is Severity.ERROR for f in findings) else 0)
 

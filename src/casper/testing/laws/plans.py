@@ -70,7 +70,7 @@ def _goal_is_recognised(domain: Domain, goal: str) -> None:
     @given(observations(domain, goal=goal))
     def law(pursuit: Pursuit) -> None:
         reading = domain.reading()
-        for number, action in enumerate(pursuit.steps, 1):
+        for number, action in enumerate(pursuit.own, 1):
             reading.observe(action)
             if reading.count == 0:
                 why = "; ".join(reading.rejected.get(goal, ()))

@@ -20,7 +20,8 @@ class Pursuit:
     """A goal and what was seen of its pursuit.
 
     ``actions`` is what is to be observed; ``steps`` what was really done for the goal. ``unseen`` and ``misread`` are
-    numbers of steps, ``needless`` numbers of actions, from 0.
+    numbers of steps, ``needless`` numbers of actions, from 0; ``others`` are the steps that the plan leaves to somebody
+    else, by(robot, …), whom nobody watches.
     """
 
     goal: str
@@ -29,6 +30,12 @@ class Pursuit:
     unseen: tuple[int, ...] = ()
     needless: tuple[int, ...] = ()
     misread: tuple[int, ...] = ()
+    others: tuple[int, ...] = ()
+
+    @property
+    def own(self) -> tuple[str, ...]:
+        """The steps that the partner does."""
+        return tuple(step for number, step in enumerate(self.steps) if number not in self.others)
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,8 +79,14 @@ def observations(
             raise CasperError(f"{name} is a part from 0 to 1, not {part}")
     plans = _plans(library, goal)
     plan = plans[draw(st.integers(0, len(plans) - 1))] if len(plans) > 1 else plans[0]
-    steps = [text_of(step) for step in filled_in(library, plan, _performed(draw, plan), draw)]
-    return _seen(draw, library, plan.label, steps, (drop, needless, misread))
+    leaves = _performed(draw, plan)
+    steps = [text_of(step) for step in filled_in(library, plan, leaves, draw)]
+    partner = library.partner if isinstance(library, Domain) else None
+    doers = [plan.actions[leaf].by for leaf in leaves]
+    others = tuple(number for number, by in enumerate(doers) if isinstance(by, str) and by != partner)
+    return _seen(
+        draw, library, plan.label, steps, (drop, needless, misread), others if len(others) < len(steps) else ()
+    )
 
 
 def interleavings(*pursuits: st.SearchStrategy[Pursuit]) -> st.SearchStrategy[Interleaving]:
@@ -113,12 +126,17 @@ def _performed(draw: st.DrawFn, plan: Plan) -> list[int]:
 
 
 def _seen(
-    draw: st.DrawFn, library: PlanLibrary | Domain, goal: str, steps: list[str], parts: tuple[float, float, float]
+    draw: st.DrawFn,
+    library: PlanLibrary | Domain,
+    goal: str,
+    steps: list[str],
+    parts: tuple[float, float, float],
+    others_do: tuple[int, ...],
 ) -> Pursuit:
     drop, needless, misread = parts
-    numbers = range(len(steps))
-    unseen = _some(draw, numbers, min(int(drop * len(steps)), len(steps) - 1))
-    wrong = _some(draw, [n for n in numbers if n not in unseen], int(misread * (len(steps) - len(unseen))))
+    numbers = [number for number in range(len(steps)) if number not in others_do]
+    unseen = _some(draw, numbers, min(int(drop * len(steps)), len(numbers) - 1))
+    wrong = _some(draw, [n for n in numbers if n not in unseen], int(misread * (len(numbers) - len(unseen))))
     others = [text_of(action) for action in actions_of(library)] if needless or misread else []
     actions = [_another(draw, others, steps[n]) if n in wrong else steps[n] for n in numbers if n not in unseen]
     extra: list[int] = []
@@ -127,7 +145,7 @@ def _seen(
         at = draw(st.integers(0, len(actions)))
         actions.insert(at, others[draw(st.integers(0, len(others) - 1))])
         extra = [*(n + (n >= at) for n in extra), at]
-    return Pursuit(goal, tuple(actions), tuple(steps), unseen, tuple(sorted(extra)), wrong)
+    return Pursuit(goal, tuple(actions), tuple(steps), unseen, tuple(sorted(extra)), wrong, others_do)
 
 
 def _some(draw: st.DrawFn, numbers: Sequence[int], most: int) -> tuple[int, ...]:
@@ -140,5 +158,3 @@ def _some(draw: st.DrawFn, numbers: Sequence[int], most: int) -> tuple[int, ...]
 def _another(draw: st.DrawFn, actions: Sequence[str], than: str) -> str:
     others = [action for action in actions if action != than]
     return others[draw(st.integers(0, len(others) - 1))] if others else than
-
-
