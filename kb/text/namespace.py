@@ -170,8 +170,6 @@ def _directive(term: Compound, space: _Space) -> Compound:
 
 
 def _declared(term: Term, space: _Space) -> Term:
-    if isinstance(term, Compound) and term[0] == ",":
-        return Compound((",", *(_declared(part, space) for part in term.args)))
     if isinstance(term, Compound) and term.indicator == ("/", 2):
         return Compound(("/", space.named((str(term[1]), term[2])), term[2]))
     return _named(term, space) if isinstance(term, Compound) else term

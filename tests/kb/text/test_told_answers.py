@@ -65,3 +65,11 @@ def test_the_unknown_stays_the_one_it_is():
 )
 def test_two_terms_may_be_equal_for_some_value_of_what_is_unknown(left, right, may):
     assert may_equal(left, right) is may
+
+
+def test_the_unit_of_a_place_may_be_asked_for_backwards():
+    from casper.kb.text.parsing.places import Places
+
+    places = Places("ab\ncd\n\nef", "t.pl")
+    offsets = [0, 4, 7, 4, 3, 8, 0]
+    assert [(places.of(at).line, places.of(at).column) for at in offsets] == [(1, 1), (2, 2), (4, 1), (2, 2), (2, 1), (4, 2), (1, 1)]

@@ -73,7 +73,8 @@ def test_integers_are_exact_whatever_their_size(x, y):
     [
         ("4 / 2", 2), ("1 / 2", 0.5), ("-7 // 2", -3), ("-7 mod 2", 1), ("-7 rem 2", -1), ("2 ** 100", 2**100), ("2 ** -1", 0.5),
         ("2 ^ 3 ^ 2", 512), ("2 + 3 * 4", 14), ("1 << 3 + 1", 9), ("round(2.5)", 3), ("round(-2.5)", -3), ("truncate(-2.5)", -2),
-        ("7 xor 2 \\/ 8", 13), ("pi", math.pi), ("max(2, inf)", math.inf), ("inf + 1", math.inf), ("2 * -inf", -math.inf), ("[5] + 1", 6), ("abs(-3)", 3), ("sign(-2.5)", -1.0),
+        ("7 xor 2 \\/ 8", 13), ("pi", math.pi), ("max(2, inf)", math.inf), ("1 ** (10 ** 12)", 1), ("(-1) ** (10 ** 12 + 1)", -1), ("0 ** (10 ** 12)", 0), ("(-1) ** (-3)", -1),
+        ("2 ** (-1)", 0.5), ("inf + 1", math.inf), ("2 * -inf", -math.inf), ("[5] + 1", 6), ("abs(-3)", 3), ("sign(-2.5)", -1.0),
     ],
 )  # fmt: skip
 def test_an_expression_has_its_value(text, expected):
@@ -92,6 +93,9 @@ def test_an_expression_has_its_value(text, expected):
         ("exp(1000)", "too large for a float"),
         ("1.0e308 * 10", "too large for a float"),
         ("inf - inf", "undefined there"),
+        ("2 ** (10 ** 12)", f"more than {MOST_BITS} bits"),
+        ("(-2) ** (10 ** 12)", f"more than {MOST_BITS} bits"),
+        ("3 ^ (10 ** 12)", f"more than {MOST_BITS} bits"),
         ("2 ** 10000000", f"more than {MOST_BITS} bits"),
         ("1 << 10000000", f"more than {MOST_BITS} bits"),
         ("msb(0)", "0 is not positive"),
