@@ -101,7 +101,9 @@ def lenient_names() -> Iterator[None]:
     before = environment.error_used_name
     environment.error_used_name = False
     try:
-        yield
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", module="unified_planning")
+            yield
     finally:
         environment.error_used_name = before
 
