@@ -1,4 +1,9 @@
-"""Examples a second of the strategies that are shipped, for the kitchen: python benchmarks/strategies.py."""
+"""Examples a second of the strategies that are shipped, for the kitchen: python benchmarks/strategies.py.
+
+Seconds of the processor, the best of three runs: the first one also loads what hypothesis loads when it is first used.
+Hypothesis makes no example twice where it can tell, so there may be fewer than were asked for: the kitchen has 52
+statements that are well typed.
+"""
 
 from __future__ import annotations
 
@@ -22,6 +27,10 @@ PROMISED = 500  # of statements and observations
 
 
 def rate(strategy: Any, examples: int) -> float:
+    return max(_rate(strategy, examples) for _ in range(3))
+
+
+def _rate(strategy: Any, examples: int) -> float:
     made: list[Any] = []
     quick = settings(
         max_examples=examples,

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.checks.finding import Finding, error, finding_of, note, sorted_findings, warning
-from casper.kb.errors import CasperError, DomainError, Place
+from casper.kb.errors import CasperError, Place
 from casper.kb.ontologies.expressions import Ontology
 from casper.kb.ontologies.meaning.translation import Translation, translate
 from casper.kb.ontologies.reading.source import read_ontology
@@ -22,6 +22,7 @@ from casper.kb.ontologies.vocabulary.names import renamed
 from casper.kb.ontologies.writing import MAIN, NAMES, names_text, ontology_text
 from casper.kb.store.loading import loading
 from casper.kb.terms.clauses import Directive
+from casper.kb.text.files import write_texts
 from casper.kb.text.reader import read_blocks
 from casper.kb.text.sources import Sources
 
@@ -57,15 +58,7 @@ class Imported:
         Raises:
             DomainError: the folder has such files already, or cannot be written.
         """
-        there = [name for name in self.files if (folder / name).exists()]
-        if there and not replace:
-            raise DomainError(f"{folder / there[0]} is there already; choose another folder, or write --replace")
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-            for name, text in self.files.items():
-                (folder / name).write_text(text, encoding="utf-8")
-        except OSError as mistake:
-            raise DomainError(f"cannot write to {folder} ({mistake}); choose another folder") from None
+        write_texts(folder, self.files, replace=replace)
         return sorted_findings([*self.findings, *contradictions(folder)])
 
 

@@ -1,4 +1,4 @@
-"""Files that others wrote, read with care: regular ones only, and up to a size.
+"""Files that others wrote, read with care: regular ones only, and up to a size; and texts written.
 
 A folder of text may hold whatever a file system can: a pipe on which nothing ever comes, a device without an end, a
 link that leads in a circle. Each is refused in a sentence before anything is waited for.
@@ -9,10 +9,12 @@ from __future__ import annotations
 import errno
 import os
 import stat
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from io import FileIO
 from pathlib import Path
+
+from casper.kb.errors import DomainError
 
 MOST_BYTES = 64 * 2**20  # of one file
 _CALM = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
@@ -124,3 +126,20 @@ def unwritable(path: Path) -> str | None:
             return None
     except OSError as mistake:
         return mistake.strerror or str(mistake)
+
+
+def write_texts(folder: Path, texts: Mapping[str, str], *, replace: bool = False) -> None:
+    """Write texts by the names of their files into a folder, which is made where there is none.
+
+    Raises:
+        DomainError: the folder has such files already, and they are not to be replaced, or it cannot be written.
+    """
+    there = [name for name in texts if (folder / name).exists()]
+    if there and not replace:
+        raise DomainError(f"{folder / there[0]} is there already; choose another folder, or write --replace")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, text in texts.items():
+            (folder / name).write_text(text, encoding="utf-8")
+    except OSError as mistake:
+        raise DomainError(f"cannot write to {folder} ({mistake}); choose another folder") from None

@@ -40,7 +40,7 @@ def test_columns_of_mixed_kinds_can_be_written(tmp_path: Path, kind: str) -> Non
 def test_bad_rows_are_kept_with_file_and_line(tmp_path: Path) -> None:
     (tmp_path / "r.csv").write_text('a,b\n1,2\n1\n"x"y,2\n3,4\n', encoding="utf-8")
     mistakes = [row.mistake for row in read_table(tmp_path / "r.csv")]
-    assert mistakes[0] == mistakes[3] == "" and "r.csv:3: 1 cells under 2 columns" in mistakes[1] and "r.csv:4" in mistakes[2]
+    assert mistakes[0] == mistakes[3] == "" and "r.csv:3: 1 cell under 2 columns" in mistakes[1] and "r.csv:4" in mistakes[2]
     (tmp_path / "r.jsonl").write_bytes(b'{"a": 1}\n\n[1]\n{"a\n\xff\n{"a": 2}\n')
     rows = list(read_table(tmp_path / "r.jsonl"))
     assert [row.number for row in rows] == [1, 2, 3, 4, 5] and rows[4].given == {"a": 2}

@@ -173,6 +173,7 @@ class Made:
         if kind == "total":
             network.set_ordered(*steps)
         elif kind == "partial":
+            steps = self.draw(st.permutations(steps))  # what comes first need not be written first
             for at, one in enumerate(steps):
                 for other in steps[at + 1 :]:
                     if self.draw(st.booleans()):

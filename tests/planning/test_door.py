@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 
 SRC = Path(__file__).resolve().parents[2] / "src"
-HEAVY = ("unified_planning", "py_trees", "networkx", "mujoco", "sklearn")
 
 
 def run(code):
@@ -26,10 +25,6 @@ def without(name, code):
         f"importlib.util.find_spec = lambda name, package=None: None if name == {name!r} else found(name, package)\n"
         f"{code}"
     )
-
-
-def test_importing_casper_brings_in_no_planner():
-    assert run(f"import casper, sys; print([m for m in {HEAVY!r} if m in sys.modules])") == "[]"
 
 
 def test_without_the_framework_each_name_says_what_to_install():

@@ -106,7 +106,8 @@ def _csv_body(file: Path, reader: Any, header: Sequence[str]) -> Iterator[Row]:
             continue
         number += 1
         if len(cells) != len(header):
-            yield Row(number, mistake=f"{at(file, reader.line_num)}: {len(cells)} cells under {len(header)} columns")
+            told = f"{len(cells)} {'cell' if len(cells) == 1 else 'cells'} under {len(header)} columns"
+            yield Row(number, mistake=f"{at(file, reader.line_num)}: {told}")
         else:
             yield Row(number, dict(zip(header, cells)))
 

@@ -89,6 +89,7 @@ def test_what_the_framework_reads_is_left_as_it_was(tmp_path):
         ("(:action drive", "(:durative-action drive", 13, "cannot read"),
         ("(at ?t ?from)) (at ?t ?to))", "(at ?t ?from)) (at ?t ?tou))", 15, "tou"),
         ("(road ?a - place ?b - place)", "(road ?a - plaice ?b - place)", 4, "Undefined parameter's type: plaice (it requires"),
+        ("(at ?t ?from)) (at ?t ?to))", "(at ?t ?from)) (at ?to ?t))", 15, "cannot read this: The expression 'at(to, t)' is not well"),
         ("(not (= ?from ?to)))", "(not (= ?from ?too)))", 12, "the method m-via has no ?too"),
         ("(not (= ?from ?to)))", "(road ?from ?to))", 12, "(road ?from ?to) is no constraint: write =, not, and, or"),
     ],

@@ -18,7 +18,7 @@ from casper.planning import import_problem
 from casper.planning.importing.vocabulary import Vocabulary
 from casper.planning.importing.wording import thing
 
-STEPS, ASKED = 4, 12
+STEPS, ASKED = 3, 8
 
 
 def statements(problem):
@@ -68,7 +68,7 @@ def follow(problem, choose, steps):
             history.append((statement, float(time)))
 
 
-@settings(max_examples=15)
+@settings(max_examples=settings.default.max_examples // 6)
 @given(problems(), st.data())
 def test_a_made_up_problem_means_what_the_simulator_does(problem, data):
     def choose(what, count):

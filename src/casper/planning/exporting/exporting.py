@@ -22,6 +22,7 @@ from casper.planning.exporting.actions import EFFECTS, any_of, make_action
 from casper.planning.exporting.expressions import Scope
 from casper.planning.exporting.methods import by_name, is_impossible, make_method, make_network, make_task
 from casper.planning.exporting.target import Target, Unplanned, body_terms, number_of, shown
+from casper.planning.importing.files import lenient_names
 from casper.planning.importing.importing import MOMENTS, LeftOut
 from casper.planning.importing.names import ACHIEVE, ACT, GOAL_STATE, NETWORK, inward
 from casper.plans.relations import plan_clauses
@@ -44,7 +45,8 @@ def to_problem(domain: Domain) -> Problem:
         CasperError: the domain does not say what its actions change (`importing` does), or a clause that is needed has
             no place in a problem, with its place.
     """
-    export = _Export(domain)
+    with lenient_names():  # a type and a fluent may share one, in files and in domains
+        export = _Export(domain)
     for sentence in export.left_out():
         warnings.warn(sentence, LeftOut, stacklevel=2)
     return export.target.problem

@@ -101,7 +101,9 @@ def lenient_names() -> Iterator[None]:
     before = environment.error_used_name
     environment.error_used_name = False
     try:
-        yield
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", module="unified_planning")
+            yield
     finally:
         environment.error_used_name = before
 
@@ -116,6 +118,7 @@ def _told(mistake: Exception, source: Source) -> tuple[str, Place]:
         said = f"{name} is not declared"
         line = line or _line_of(name, source)
     said = re.sub(r"[.,]?\s*(Error\s*)?([Ff]rom\s*)?[Ll]ine:? ?\d+.*$", "", said).rstrip(" .,")
+    said = re.sub(r"^\w+(?:Error|Exception)\(([\"'])(.*)\1\)$", r"\2", said)  # one exception in another
     wanted = source.node.items[2] if len(source.node.items) > 2 else None
     is_told = wanted is not None and wanted.head == ":requirements"
     needs = f" (it requires {' '.join(map(str, wanted.items[1:]))})" if wanted and is_told else ""

@@ -18,8 +18,9 @@ from unified_planning.model.htn import HierarchicalProblem, Task
 
 from casper.engine.domain.domain import Domain, build
 from casper.kb.checks.finding import Finding, finding_of, note, sorted_findings, warning
-from casper.kb.errors import CasperError, DomainError, Place
+from casper.kb.errors import CasperError, Place
 from casper.kb.terms.syntax import atom_text
+from casper.kb.text.files import write_texts
 from casper.kb.text.reader import read_text
 from casper.planning.importing.actions import action_lines, alike
 from casper.planning.importing.alternatives import Unsaid
@@ -74,15 +75,7 @@ class Imported:
         Raises:
             DomainError: the folder has such files already, or cannot be written.
         """
-        there = [name for name in self.files if (folder / name).exists()]
-        if there and not replace:
-            raise DomainError(f"{folder / there[0]} is there already; choose another folder, or write --replace")
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-            for name, text in self.files.items():
-                (folder / name).write_text(text, encoding="utf-8")
-        except OSError as mistake:
-            raise DomainError(f"cannot write to {folder} ({mistake}); choose another folder") from None
+        write_texts(folder, self.files, replace=replace)
         return sorted_findings([*self.findings, *_loaded(folder)])
 
 

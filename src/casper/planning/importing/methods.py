@@ -123,7 +123,7 @@ def _production(
 
 
 def _steps(vocabulary: Vocabulary, wording: Wording, network: Any) -> list[Term]:
-    """The subtasks in their order: in a row, or with the pairs that are ordered."""
+    """The subtasks in their order: in a row, or as they may follow on one another, with the pairs that are ordered."""
     subtasks = {subtask.identifier: _item(vocabulary, wording, subtask) for subtask in network.subtasks}
     order = ordering(list(subtasks), network.temporal_constraints())
     if not isinstance(order, PartialOrder):
@@ -136,11 +136,20 @@ def _steps(vocabulary: Vocabulary, wording: Wording, network: Any) -> list[Term]
         raise Unsaid(f"its order runs in a circle ({' < '.join(circle)}); take out one of these pairs")
     if not pairs:
         return [Compound(("unordered", *subtasks.values()))]
-    labels = {identifier: f"t{number}" for number, identifier in enumerate(subtasks, 1)}
-    labelled = [Compound((":", labels[identifier], item)) for identifier, item in subtasks.items()]
-    before = sorted((list(labels).index(a), list(labels).index(b)) for a, b in pairs)
-    ordered = [Compound(("<", f"t{a + 1}", f"t{b + 1}")) for a, b in before]
+    numbers = {identifier: number for number, identifier in enumerate(_first_order(list(subtasks), pairs), 1)}
+    labelled = [Compound((":", f"t{number}", subtasks[identifier])) for identifier, number in numbers.items()]
+    ordered = [Compound(("<", f"t{a}", f"t{b}")) for a, b in sorted((numbers[a], numbers[b]) for a, b in pairs)]
     return [Compound(("steps", make_list(labelled), make_list(ordered)))]
+
+
+def _first_order(labels: Sequence[str], pairs: Sequence[tuple[str, str]]) -> list[str]:
+    """The first order, as they are written, that keeps the pairs: the one in which a problem has them again."""
+    import networkx as nx
+
+    graph = nx.DiGraph()
+    graph.add_nodes_from(labels)
+    graph.add_edges_from(pairs)
+    return list(nx.lexicographical_topological_sort(graph, labels.index))
 
 
 def _circle(labels: Sequence[str], pairs: Sequence[tuple[str, str]]) -> list[str]:
