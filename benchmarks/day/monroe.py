@@ -93,7 +93,7 @@ def main() -> None:
     """Make episodes, read them, print the figures."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--episodes", type=int, default=100)
-    parser.add_argument("--kept", type=int, default=50)
+    parser.add_argument("--kept", type=int, default=20)
     parser.add_argument("--seed", type=int, default=7)
     parser.add_argument("--missed", type=int, default=0)
     chosen = parser.parse_args()

@@ -1,7 +1,7 @@
 """What it costs to believe that a partner begins, drops, adds or skips something: settings with defaults.
 
     setting(plans, begin, 0.05).     setting(plans, abandon, 0.003).     setting(plans, needless, 0.01).
-    setting(plans, missed, 0.1).     setting(plans, helping, 0.02).     setting(plans, settled, 0.1).
+    setting(plans, missed, 0.15).     setting(plans, helping, 0.02).     setting(plans, settled, 0.1).
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Prices:
     begin: float = 0.05
     abandon: float = 0.003
     needless: float = 0.01
-    missed: float = 0.1
+    missed: float = 0.15
     helping: float = 0.02
     settled: float = 0.1
 

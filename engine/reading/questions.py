@@ -66,8 +66,18 @@ def questions(outlook: Outlook) -> list[Question]:
             by_goal[pursued] = by_goal.get(pursued, 0.0) + share * part_of_it
         for part in parts:
             unsure.update(("done" if over else "step", shown(action)) for over, action in outlook.unsure(*part))
+    return ranked(goals, {question: yes for question, yes in told.items() if question not in unsure})
+
+
+def ranked(goals: Mapping[str, float], told: Mapping[tuple[Kind, str], Mapping[str, float]]) -> list[Question]:
+    """Questions, most telling first.
+
+    Args:
+        goals: the share of each goal.
+        told: by question the share of yes, by goal.
+    """
     before = _Uncertainty(goals)
-    found = [before.asked(*question, yes) for question, yes in told.items() if question not in unsure]
+    found = [before.asked(*question, yes) for question, yes in told.items()]
     order = {"goal": 0, "done": 1, "step": 2, "next": 3}
     return sorted(found, key=lambda q: (-round(q.gain, 12), order[q.kind], q.about))
 

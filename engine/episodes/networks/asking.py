@@ -6,10 +6,11 @@ where rules look at did/2 until something else has been observed.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
 from casper.engine.episodes.networks.terms import Env, Slot, numbered, outward, resolve, slots_of, unified
+from casper.engine.episodes.past import Past, with_statement
 from casper.engine.verification.conditions import Conditions
 from casper.engine.verification.history import Done, in_order
 from casper.kb.base import KnowledgeBase
@@ -18,8 +19,8 @@ from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound
 
 MOST_REMEMBERED = 100_000
+MOST_MOMENTS = 200  # observations after each of which it is known what had happened
 Asked: TypeAlias = "tuple[int, Any]"  # the moment when it was due (0: it makes no difference), and the relation
-Past: TypeAlias = "list[Done]"
 
 
 class Failed(NamedTuple):
@@ -29,11 +30,18 @@ class Failed(NamedTuple):
 
 
 class Asking:
-    """Asks a knowledge base; without one every condition holds and everybody may do everything."""
+    """Asks a knowledge base; without one every condition holds and everybody may do everything.
 
-    def __init__(self, kb: KnowledgeBase | None, past: list[Done | None] | None = None) -> None:
+    ``past`` are the last `MOST_MOMENTS` observations (None: not made out in full), ``before`` what was done before
+    them, of which it is known that it was done, and when last (`engine.episodes.past`); ``gone`` is how many
+    observations that was.
+    """
+
+    def __init__(
+        self, kb: KnowledgeBase | None, past: Iterable[Done | None] = (), before: Past = (), gone: int = 0
+    ) -> None:
         self.kb = kb
-        self.past: list[Done | None] = past if past is not None else []
+        self.past, self._before, self._gone = list(past), before, gone
         self._conditions = None if kb is None else Conditions(kb)
         self._changes = -1
         self._keep_up()
@@ -47,18 +55,19 @@ class Asking:
             self.asks_goals = self.kb is not None and self.kb.defines("goal", 1)
             self._known: dict[Asked, Any] = {}
             self.closing: dict[Any, bool] = {}  # of links (`corners`) and whole states: whether they can close
+            self._plain: dict[Asked, bool] = {}  # by condition that binds nothing whether it is open; else it holds
             self._groups: dict[tuple[Asked, ...], bool | None] = {}
             self._joined: dict[Any, Env | Failed] = {}
             self._domains: dict[Asked, dict[Any, frozenset[Any]]] = {}
             self._verdicts: dict[tuple[int, str, Any], tuple[str, ...]] = {}
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Asking, (self.kb, self.past)
+        return Asking, (self.kb, self.past, self._before, self._gone)
 
     @property
     def now(self) -> int:
         """How many observations there were that did/2 knows of."""
-        return len(self.past)
+        return self._gone + len(self.past)
 
     @property
     def changes(self) -> int:
@@ -69,27 +78,40 @@ class Asking:
     def observed(self, statement: Compound | None, t: float | None) -> None:
         """Remember what was done, where anything looks back at it; None: it is not known what, or when."""
         self._keep_up()
+        for known in (self.closing, self._groups, self._joined, self._domains, self._plain):
+            if len(known) > MOST_REMEMBERED:
+                known.clear()
         if self.looks_back:
             done = None if statement is None else statement if t is None else (statement, t)
             self.past.append(None if done is None else in_order([done], self._history(self.now))[-1])
+            if len(self.past) > MOST_MOMENTS:  # what lies further back is known in general only
+                self._gone += 1
+                oldest = self.past.pop(0)
+                self._before = self._before if oldest is None else with_statement(self._before, *oldest)
 
     def forget(self) -> None:
         """Take back what was done last."""
         if self.past:
             self.past.pop()
-            self._joined, self._domains, self.closing, self._groups = {}, {}, {}, {}
+            self._joined, self._domains, self.closing, self._groups, self._plain = {}, {}, {}, {}, {}
             self._known = {key: answer for key, answer in self._known.items() if key[0] <= self.now}
             self._verdicts = {key: reasons for key, reasons in self._verdicts.items() if key[0] <= self.now}
 
     def _history(self, moment: int) -> Past:
-        return [done for done in self.past[:moment] if done is not None]
+        """What was done before the moment; at the first one, nothing."""
+        lately = [done for done in self.past[: max(0, moment - self._gone)] if done is not None]
+        return (*self._before, *lately) if moment else ()
+
+    def _is_known(self, moment: int) -> bool:
+        """Whether what had happened by a moment is known: it is not to come, nor too far back (0: nobody looks)."""
+        return moment == 0 or self._gone <= moment <= self.now
 
     def forked(self) -> Asking:
         """One with the same past that goes its own way; what was asked of earlier moments is shared."""
-        other = Asking(self.kb, list(self.past))
+        other = Asking(self.kb, self.past, self._before, self._gone)
         if not self.looks_back:
             other._known, other._verdicts = self._known, self._verdicts
-            other.closing, other._groups = self.closing, self._groups
+            other.closing, other._groups, other._plain = self.closing, self._groups, self._plain
             other._joined, other._domains = self._joined, self._domains
         return other
 
@@ -114,8 +136,16 @@ class Asking:
             still: list[Asked] = []
             before = env
             for moment, relation in waiting:
-                closed = numbered(relation, env, {})
+                bound = resolve(relation, env)
+                is_open = self._plain.get((moment, bound))
+                if is_open is not None:
+                    if is_open:
+                        still.append((moment, relation))
+                    continue
+                closed = numbered(bound, {}, {})
                 answer = self._answer(moment, closed, doing)
+                if (answer is None or answer is closed) and moment <= self.now:
+                    self._plain[moment, bound] = answer is None
                 if answer is None:
                     still.append((moment, relation))
                 elif isinstance(answer, Refusal):
@@ -168,7 +198,7 @@ class Asking:
             moments = {moment for moment, _ in group}
             atoms = [outward(relation) for _, relation in group]
             moment = moments.pop()
-            settled = not moments and moment <= self.now
+            settled = not moments and self._is_known(moment)
             self._groups[group] = self._conditions.hold_together(atoms, self._history(moment)) if settled else None
         return self._groups[group]
 
@@ -208,7 +238,7 @@ class Asking:
         known = self._domains.get((moment, closed))
         if known is None:
             atom = outward(closed)
-            found = {} if moment > self.now else self._conditions.values(atom, self._history(moment))
+            found = self._conditions.values(atom, self._history(moment)) if self._is_known(moment) else {}
             ours = {outward(number): number for number in names.values()}
             known = {ours[variable]: frozenset(map(_inner, values)) for variable, values in found.items()}
             self._domains[moment, closed] = known
@@ -223,7 +253,9 @@ class Asking:
         if len(self._known) > MOST_REMEMBERED:
             self._known.clear()
         assert self._conditions is not None
-        history: Sequence[Done] = self._history(moment)
+        if 0 < moment < self._gone:
+            return None
+        history = self._history(moment)
         if doing is not None and moment > self.now:
             history = in_order([doing], history)
         atom = outward(relation)

@@ -1,6 +1,6 @@
 """A reading of plans that are not listed: what `engine.reading.reading.Reading` says, from lazily grown states.
 
-What it cannot say it refuses: several goals at once (a day reads those), and questions.
+Several goals at once it refuses: a day reads those.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from typing import Any
 
 from casper.engine.collaboration.collaboration import Capability, CollaborativePlan, collaborative_plan
 from casper.engine.episodes.networks.networks import Networks
+from casper.engine.episodes.networks.outlook import next_actions, questions
 from casper.engine.episodes.networks.telling import GrownTeller
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.reading.policy import Policy
@@ -22,8 +23,7 @@ from casper.engine.verification.observation import Seen
 from casper.engine.verification.vocabulary import Vocabulary
 from casper.kb.errors import CasperError
 from casper.kb.reasons.says import Words
-from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, as_term
+from casper.kb.terms.terms import Compound
 from casper.plans.library import PlanLibrary
 
 MOST_ASKED = 20  # states of a goal that are asked for reasons
@@ -88,9 +88,7 @@ class GrownReading(Reading):
         """The probability of each action to be the next step; of a task that is not begun by name and arity."""
         found: dict[str | None, float] = {}
         for state, share in self._engine.ends() if self.observations else ():
-            coming: list[str | None] = [term_text(as_term(leaf)) for leaf in self._engine.networks.next_leaves(state)]
-            if self._engine.networks.is_done(state):
-                coming.append(None)
+            coming = next_actions(self._engine.networks, state)
             for action in coming:
                 found[action] = found.get(action, 0.0) + share / len(coming)
         return dict(sorted(found.items(), key=lambda item: -item[1]))
@@ -113,12 +111,8 @@ class GrownReading(Reading):
         return dict(sorted(found.items(), key=lambda item: -item[1]))
 
     def questions(self) -> list[Question]:
-        """Nothing is asked here.
-
-        Raises:
-            CasperError: always.
-        """
-        raise CasperError("what to ask is not known of plans that are not listed")
+        """What to find out, most telling first; nothing is asked that some explanation does not know (`outlook`)."""
+        return questions(self._engine.networks, self._engine.ends()) if self.observations else []
 
     def _reasons(self, label: str, level: int) -> tuple[str, ...]:
         """Why a goal fell: what its states before the observation say of it."""

@@ -71,9 +71,24 @@ def test_a_missed_leaf_is_something_unseen(reading):
     assert reading.first.missed == 1 and "✗ \"something unseen\"" in str(reading.first)
 
 
-def test_what_it_cannot_say_it_refuses(reading):
-    with pytest.raises(CasperError, match="what to ask is not known"):
-        reading.questions()
+TWO_GOALS = """goal(tea). goal(soup).
+tea --> boil, more, sip. soup --> boil, more, eat.
+more --> []. more --> stir, more.
+"""
+
+
+def test_what_tells_goals_apart_is_asked():
+    reading = Domain.from_text(plans=TWO_GOALS).reading()
+    reading.observe("boil")
+    asked = {str(question): round(question.gain, 6) for question in reading.questions()}
+    assert asked["is the goal tea?"] == asked["will sip still be done?"] == 1.0
+    assert asked["is stir next?"] == 0.0
+
+
+def test_nothing_is_asked_that_some_explanation_does_not_know():
+    reading = Domain.from_text(plans=TWO_GOALS.replace("soup --> boil, more, eat", "soup --> boil, more, optional(sip)")).reading()
+    reading.observe("boil")
+    assert "will sip still be done?" not in map(str, reading.questions())
 
 
 def test_several_goals_at_once_are_refused(tmp_path):
