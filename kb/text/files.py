@@ -27,12 +27,19 @@ _KINDS = {
 }
 
 
+DRAFTS: dict[Path, str] = {}
+"""Texts that an editor holds and has not saved: they are read instead of the files. Empty but in the process that checks
+for an editor."""
+
+
 class Unreadable(OSError):
     """A file whose content is no text for us; ``str()`` says what it is instead."""
 
 
 def is_there(path: Path) -> bool:
     """Whether there is anything of that name, readable or not: a link that leads nowhere counts."""
+    if path in DRAFTS:
+        return True
     try:
         os.lstat(path)
     except OSError as mistake:
@@ -44,6 +51,8 @@ def is_there(path: Path) -> bool:
 
 def oddity(path: Path) -> str | None:
     """What stands there for a regular file, such as ``a pipe``; None for a regular one, or where nobody may look."""
+    if path in DRAFTS:
+        return None
     try:
         return _kind(os.stat(path).st_mode)
     except FileNotFoundError:
@@ -62,6 +71,8 @@ def read_bytes(path: Path) -> bytes:
     Raises:
         Unreadable: it is no regular file, or larger. OSError: it cannot be read.
     """
+    if path in DRAFTS:
+        return DRAFTS[path].encode("utf-8", "replace")
     odd = oddity(path)  # looked at before it is opened: opening some devices does something
     if odd is not None:
         raise Unreadable(f"it is {odd}, and only regular files are read")
