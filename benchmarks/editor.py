@@ -2,9 +2,9 @@
 
     python benchmarks/editor.py [--lines 1000] [--changes 30]
 
-The server runs as an editor runs it, over its protocol; the time is from sending a change to the findings that answer it,
-and from asking for a completion to the answer. The processor time of a change is given beside: others may be
-using the machine. The whole of ``casper check`` runs in a process of its own and is not waited for.
+The server runs as an editor runs it, over its protocol; the time is from sending a change to the findings that answer
+it, and from asking for a completion to the answer. The processor time of a change is given beside: others may be using
+the machine. The whole of ``casper check`` runs in a process of its own and is not waited for.
 """
 
 import argparse

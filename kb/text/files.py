@@ -28,8 +28,7 @@ _KINDS = {
 
 
 DRAFTS: dict[Path, str] = {}
-"""Texts that an editor holds and has not saved: they are read instead of the files. Empty but in the process that checks
-for an editor."""
+"""Texts that an editor has not saved, read instead of the files; empty but in the process that checks for it."""
 
 
 class Unreadable(OSError):
