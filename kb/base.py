@@ -140,6 +140,10 @@ class KnowledgeBase(Questions):
         """A copy of the knowledge base with facts added and removed; this one stays as it is."""
         return self.assume(*sorted(repair.add, key=repr), without=repair.remove)
 
+    def row_counts(self) -> dict[str, int]:
+        """How many rows each predicate has, by ``name/arity``, of those whose rows are listed."""
+        return {f"{name}/{arity}": len(relation) for (name, arity), relation in self._model.relations.items()}
+
     # --- as RDF ----------------------------------------------------------------------------------------------------
 
     def to_rdf(self, derived: bool = False) -> str:

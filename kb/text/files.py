@@ -29,12 +29,18 @@ _KINDS = {
 }
 
 
+DRAFTS: dict[Path, str] = {}
+"""Texts that an editor has not saved, read instead of the files; empty but in the process that checks for it."""
+
+
 class Unreadable(OSError):
     """A file whose content is no text for us; ``str()`` says what it is instead."""
 
 
 def is_there(path: Path) -> bool:
     """Whether there is anything of that name, readable or not: a link that leads nowhere counts."""
+    if path in DRAFTS:
+        return True
     try:
         os.lstat(path)
     except OSError as mistake:
@@ -46,6 +52,8 @@ def is_there(path: Path) -> bool:
 
 def oddity(path: Path) -> str | None:
     """What stands there for a regular file, such as ``a pipe``; None for a regular one, or where nobody may look."""
+    if path in DRAFTS:
+        return None
     try:
         return _kind(os.stat(path).st_mode)
     except FileNotFoundError:
@@ -64,6 +72,8 @@ def read_bytes(path: Path) -> bytes:
     Raises:
         Unreadable: it is no regular file, or larger. OSError: it cannot be read.
     """
+    if path in DRAFTS:
+        return DRAFTS[path].encode("utf-8", "replace")
     odd = oddity(path)  # looked at before it is opened: opening some devices does something
     if odd is not None:
         raise Unreadable(f"it is {odd}, and only regular files are read")

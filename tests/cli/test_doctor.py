@@ -11,7 +11,7 @@ from casper.cli.authoring import installed
 from casper.cli.authoring.installed import PURPOSES, requirements, too_old
 
 PROJECT = tomllib.loads((Path(__file__).resolve().parents[2] / "pyproject.toml").read_text())["project"]
-FOR_DEVELOPERS = {"dev", "peers"}
+FOR_DEVELOPERS = {"dev", "peers", "docs"}
 
 
 @pytest.fixture

@@ -21,6 +21,7 @@ from casper.cli.asking.verify import verify
 from casper.cli.authoring.check import check
 from casper.cli.authoring.doctor import doctor
 from casper.cli.authoring.import_ import import_
+from casper.cli.authoring.lsp import lsp
 from casper.cli.authoring.new import new
 from casper.cli.authoring.train import train
 from casper.cli.terminal.codes import epilog
@@ -40,7 +41,7 @@ app = typer.Typer(
     epilog=epilog(),
     rich_markup_mode=None,  # plain help: nothing is cut off in a narrow terminal, and no text is taken for markup
 )
-for command in (run, explain, verify, query, repl, serve, batch, watch, check, new, train, import_, doctor):
+for command in (run, explain, verify, query, repl, serve, batch, watch, check, new, train, import_, lsp, doctor):
     name = command.__name__.rstrip("_")
     # a sentence in whole, not its beginning
     app.command(name, short_help=(command.__doc__ or "").split("\n")[0])(command)
