@@ -57,7 +57,7 @@ def tearoom() -> list[tuple[str, np.ndarray]]:
     for event in trial.events():
         if event.type == "prediction":
             found.append((f"{event.t:.0f} s: the goal is tea", camera.frame()))
-        elif event.type == "plan" and event.data["ready"] or event.type == "focus" and under_way:
+        elif (event.type == "plan" and event.data["ready"]) or (event.type == "focus" and under_way):
             under_way.append((f"{event.t:.0f} s: the robot clears the mug", camera.frame()))
         elif event.type == "robot" and event.data["status"] == "done":
             done = (f"{event.t:.0f} s: the mug is in the sink", camera.frame())

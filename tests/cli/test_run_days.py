@@ -18,11 +18,3 @@ pytest.importorskip("mujoco")
 def test_a_day_that_makes_no_sense_is_one_sentence(casper, arguments, said):
     told = casper("run", "kitchen", *arguments)
     assert (told.code, told.err) == (2, f"casper: {said}\n")
-
-
-def test_a_change_of_mind_is_told_on_the_timeline(casper):
-    told = casper("run", "kitchen", "--goal", "lunch", "--goal", "breakfast", "--changes-mind", "--seed", "1")
-    assert "✗ tiago withdraws its part in lunch" in told.out
-    assert "○ lunch is abandoned" in told.out
-    assert "● breakfast is finished" in told.out
-    assert "human wanted lunch, breakfast; read lunch, breakfast: right" in told.out

@@ -24,7 +24,9 @@ class Reader(Visit):
         self.environment = {**kept, "PATH": f"{programs}:/usr/bin:/bin", "PYTHONUTF8": "1"}
 
     def _typed(self, line):
-        done = subprocess.run(["bash", "-c", line], cwd=self.folder, env=self.environment, capture_output=True, text=True)
+        done = subprocess.run(
+            ["bash", "-c", line], cwd=self.folder, env=self.environment, capture_output=True, text=True
+        )
         return done.returncode, done.stdout + done.stderr
 
 

@@ -106,7 +106,7 @@ class Visit:
         elif ">>> " in block.text:
             self._session(block)
         else:
-            with contextlib.redirect_stdout(io.StringIO()):
+            with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
                 exec(compile("\n" * (block.line - 1) + block.text, block.page, "exec"), self.scope)
 
     def _session(self, block):
@@ -180,8 +180,8 @@ def _python(words, given):
 def _pytest(words, given):
     import subprocess
 
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "src")}
-    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-n", "0", *words]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT / "src"), "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-p", "casper.testing.plugin", *words]
     done = subprocess.run(command, capture_output=True, text=True, env=environment)
     return done.returncode, done.stdout + done.stderr
 

@@ -37,7 +37,8 @@ font:13px/1.5 system-ui,sans-serif;color:inherit;max-width:60em}
 .casper .share,.casper .note,.casper .walk{color:var(--share)}
 .casper table{border-collapse:collapse;border:0;margin:.3em 0;font-size:13px;display:table}
 .casper tr,.casper tbody tr:nth-child(odd){background:none}
-.casper td,.casper th{padding:.1em .7em .1em 0;border:0;text-align:left;vertical-align:top;min-width:0;max-width:none;white-space:normal}
+.casper td,.casper th{padding:.1em .7em .1em 0;border:0;text-align:left;vertical-align:top;min-width:0;
+max-width:none;white-space:normal}
 .casper th{font-weight:600;border-bottom:1px solid var(--rule)}
 .casper .bar{display:block;width:11em;height:.8em;margin-top:.35em;background:var(--soft);border-radius:2px}
 .casper .bar i{display:block;height:100%;background:var(--share);border-radius:2px}
