@@ -228,17 +228,17 @@ def _cell(variable: Variable, cells: dict[Variable, Cell], stamp: int) -> Cell:
 def variant(terms: Iterable[Term]) -> Hashable:
     """A flat key that two rows of frozen terms share exactly when they differ in their variables' names only.
 
-    It is flat because Python compares nested tuples by recursion, and a list is as deep as it is long.
+    It is flat, or nearly so, because Python compares nested tuples by recursion, and a list is as deep as it is long.
 
     Raises:
         BudgetExceeded: the terms have too many parts to be told apart.
     """
     row = tuple(terms)
     for term in row:
-        if isinstance(term, (tuple, Variable)):
+        if not _CONSTANTS.issuperset(map(type, term)) if isinstance(term, tuple) else isinstance(term, Variable):
             break
     else:
-        return row
+        return row  # nothing in it is nested further
     key: list[Any] = []
     unchecked = MANY
     numbers: dict[Variable, int] = {}

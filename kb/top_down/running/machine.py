@@ -55,7 +55,11 @@ class Machine(Workspace):
                 self.finish(engine)
                 continue
             strand = engine.queue.popleft()
-            event = self._run(strand)
+            outer, METER.look = METER.look, self.look  # what large terms cost is this search's
+            try:
+                event = self._run(strand)
+            finally:
+                METER.look = outer
             if event == TIRED:
                 self._rest(strand, engine)
             elif event == ANSWERED:
@@ -77,14 +81,7 @@ class Machine(Workspace):
             engine.queue.append(oldest)
 
     def _run(self, strand: Strand) -> int:
-        """Work on a strand until something happens; what happened. What large terms cost is this search's."""
-        outer, METER.look = METER.look, self.look
-        try:
-            return self._worked(strand)
-        finally:
-            METER.look = outer
-
-    def _worked(self, strand: Strand) -> int:
+        """Work on a strand until something happens; what happened."""
         state = None if strand.failing else (strand.node, strand.frame, strand.cont, strand.doubt)
         strand.failing, strand.event = False, DEAD
         began = left = min(self.left, strand.turn)
