@@ -65,6 +65,10 @@ class WorldStateError(CasperError):
     """A world state that cannot be used: a missing or NaN coordinate, time running backwards."""
 
 
+class TraceError(CasperError):
+    """A trace that qualitative relations cannot be taken of, or a calculus with settings that make no sense."""
+
+
 class BudgetExceeded(CasperError):
     """A search stopped at its budget: the answer is unknown, not no."""
 

@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("kb", "plans", "engine", "sim_adapter", "domains")
-DOORS = ("cli", "server", "batch", "planning", "testing", "notebook", "lsp")  # rooms of src/casper itself
+DOORS = ("cli", "server", "batch", "planning", "qsr", "testing", "notebook", "lsp")  # rooms of src/casper itself
 
 
 def tree() -> set[str]:

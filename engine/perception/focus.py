@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections import Counter, deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from casper.engine.perception.perception import Relations
+from casper.engine.perception.votes import NOBODY, Ballot, Votes, Windows
 from casper.engine.settings import Rows, number, read_settings, require
+
+DEGREES, RADIANS = 180.0 / math.pi, math.pi / 180.0
 
 
 def _qdc() -> Mapping[str, float]:
@@ -74,6 +76,26 @@ def focus_settings(rows: Rows) -> FocusSettings:
     return read_settings(FocusSettings, rows, "focus", qdc=tables["qdc"] or _qdc(), qtc=tables["qtc"] or _qtc())
 
 
+def windows(settings: FocusSettings) -> Windows:
+    """The sliding windows."""
+    return Windows(
+        settings.target_window, settings.target_votes, settings.destination_window, settings.destination_votes
+    )
+
+
+def weigh(settings: FocusSettings, label: str, symbol: str | None) -> float:
+    """The numerator of the focus equation: what a distance and a trajectory weigh together."""
+    distance = settings.w_qdc * settings.qdc.get(label, 0.0)
+    return distance + (settings.w_qtc * settings.qtc.get(symbol, 0.0) if symbol is not None else 0.0)
+
+
+def encodings(settings: FocusSettings) -> dict[tuple[str, str | None], float]:
+    """The numerators of all labels that are encoded."""
+    return {
+        (label, symbol): weigh(settings, label, symbol) for label in settings.qdc for symbol in ("-", "0", "+", None)
+    }
+
+
 @dataclass(frozen=True, slots=True)
 class Focus:
     """Target and destination at one moment; ``scores`` by object add up to 1, or are all 0.
@@ -90,107 +112,65 @@ class Focus:
 
 
 class FocusEstimator:
-    """Votes for the best object in a window of steps; a winner stays until another wins.
-
-    A step in which nothing surpasses the threshold casts an empty vote. Ties: two equal best of which one
-    is the target leave it the target and make the other a candidate for the destination; otherwise both are
-    candidates for the target, in the same step. Three or more equal best vote for the target that is, the
-    others for the destination. There is no destination without a target.
-    """
+    """The focus equation on each step's relations, and the votes on its scores (`engine.perception.votes`)."""
 
     def __init__(self, settings: FocusSettings) -> None:
         self.settings = settings
-        to_unit = 1.0 if settings.angle_unit == "degrees" else math.pi / 180.0
-        self._unit, self._resolution = to_unit, settings.angle_resolution
-        self.reset()
+        self._unit = 1.0 if settings.angle_unit == "degrees" else RADIANS
+        self._encoded = encodings(settings)
+        self.votes = Votes(windows(settings))
 
     def reset(self) -> None:
         """Forget the target, the destination and the votes."""
-        self.target: str | None = None
-        self.destination: str | None = None
-        self._attended: tuple[str, ...] = ()
-        self._targets: deque[Sequence[str]] = deque(maxlen=self.settings.target_window)
-        self._destinations: deque[Sequence[str]] = deque(maxlen=self.settings.destination_window)
+        self.votes.reset()
 
     def update(self, relations: Relations) -> Focus:
         """The focus after this step."""
-        scores = self._scores(relations)
-        ranked = sorted(scores, key=lambda name: (-scores[name], name))
-        for_target, for_destination = self._candidates(ranked, scores)
-        self._targets.append(for_target)
-        self.target = _winner(self._targets, self.settings.target_votes, self.target, None)
-        if self.destination == self.target:
-            self.destination = None
-        attended: tuple[str, ...] = ()
-        if self.target is not None:
-            now = [name for name in for_destination if name != self.target]
-            self._destinations.append(now)
-            needed = self.settings.destination_votes
-            self.destination = _winner(self._destinations, needed, self.destination, self.target)
-            attended = self._looked_at(now)
-        return Focus(relations.t, self.target, self.destination, scores, attended)
-
-    def _looked_at(self, now: Sequence[str]) -> tuple[str, ...]:
-        """The destinations with enough votes, if one of them is voted for in this step; as before where nothing is."""
-        votes = Counter(name for slot in self._destinations for name in slot)
-        elected = tuple(name for name, count in votes.items() if count >= self.settings.destination_votes)
-        if any(name in now for name in elected):
-            self._attended = elected
-        elif now:
-            return ()
-        return tuple(name for name in self._attended if name != self.target)
+        scores, votes = self._scores(relations), self.votes
+        votes.cast(self._ballot(scores))
+        return Focus(relations.t, votes.target, votes.destination, scores, votes.attended)
 
     def _scores(self, relations: Relations) -> dict[str, float]:
         """Equation focus, normalised."""
-        settings, unit, step = self.settings, self._unit, self._resolution
-        qdc, qtc, w_qdc, w_qtc = settings.qdc, settings.qtc, settings.w_qdc, settings.w_qtc
-        raw = {}
+        unit, step, encoded = self._unit, self.settings.angle_resolution, self._encoded
+        angle, qtc, raw, total = relations.angle, relations.qtc, {}, 0.0
         for name, label in relations.qdc.items():
-            theta = math.degrees(relations.angle[name])
+            theta = angle[name] * DEGREES
             if step > 0.0:
                 theta = round(theta / step) * step
-            symbol = relations.qtc[name]
-            encoded = w_qdc * qdc.get(label, 0.0) + (w_qtc * qtc.get(symbol, 0.0) if symbol is not None else 0.0)
-            raw[name] = encoded / (1.0 + theta * unit)
-        total = sum(raw.values())
+            weight = encoded.get((label, qtc[name]))
+            if weight is None:
+                weight = weigh(self.settings, label, qtc[name])
+            value = raw[name] = weight / (1.0 + theta * unit)
+            total += value
         return {name: score / total for name, score in raw.items()} if total > 0.0 else raw
 
-    def _candidates(self, ranked: Sequence[str], scores: Mapping[str, float]) -> tuple[Sequence[str], Sequence[str]]:
-        """Who this step votes for, as target and as destination."""
-        if not ranked or scores[ranked[0]] <= 0.0:
-            return (), ()
-        best = self._tied(ranked, scores)
-        clear = scores[best[0]] > self.settings.threshold
+    def _ballot(self, scores: Mapping[str, float]) -> Ballot:
+        """Who is best, and who comes next; equal ones in the order of their names."""
+        best = _front(scores, self.settings.tie_tolerance, ())
+        if not best or scores[best[0]] <= 0.0:
+            return NOBODY
+        least = self.settings.destination_minimum
+        worthy = tuple([name for name in best if scores[name] > least])
+        second: Sequence[str] = ()
         if len(best) == 1:
-            return best if clear else (), self._worth(self._tied(ranked[1:], scores), scores)
-        others = [name for name in best if name != self.target]
-        if len(best) > 2:
-            return [name for name in best if name == self.target], self._worth(others, scores)
-        if len(others) == 1:
-            return [name for name in best if name == self.target and clear], self._worth(others, scores)
-        return best if clear else (), ()
-
-    def _tied(self, ranked: Sequence[str], scores: Mapping[str, float]) -> Sequence[str]:
-        """The names at the front of the ranking whose scores are equal."""
-        if not ranked:
-            return ()
-        least = scores[ranked[0]] * (1.0 - self.settings.tie_tolerance)
-        n = 1
-        while n < len(ranked) and scores[ranked[n]] >= least:
-            n += 1
-        return ranked[:n]
-
-    def _worth(self, names: Sequence[str], scores: Mapping[str, float]) -> Sequence[str]:
-        return [name for name in names if scores[name] > self.settings.destination_minimum]
+            second = tuple([n for n in _front(scores, self.settings.tie_tolerance, best) if scores[n] > least])
+        return Ballot(best, worthy, second, scores[best[0]] > self.settings.threshold)
 
 
-def _winner(window: deque[Sequence[str]], needed: int, current: str | None, barred: str | None) -> str | None:
-    """Who has the votes: the current one if it has, else whoever has most (the first named, if equal)."""
-    votes: dict[str, int] = {}
-    for slot in window:
-        for name in slot:
-            votes[name] = votes.get(name, 0) + 1
-    winners = [name for name, count in votes.items() if count >= needed and name != barred]
-    if not winners or current in winners:
-        return current
-    return max(winners, key=votes.__getitem__)
+def _front(scores: Mapping[str, float], tolerance: float, barred: Sequence[str]) -> Sequence[str]:
+    """The names with the greatest scores, which are equal, among those that are not barred."""
+    first, rest = None, []
+    top = -math.inf
+    for name, score in scores.items():
+        if score >= top * (1.0 - tolerance) and name not in barred:
+            rest.append(name)
+            if score > top:
+                first, top = name, score
+    if first is None:
+        return ()
+    least = top * (1.0 - tolerance)
+    front = [name for name in rest if scores[name] >= least]
+    if len(front) > 1:
+        front.sort(key=lambda name: (-scores[name], name))
+    return tuple(front)

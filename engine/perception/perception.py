@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from operator import itemgetter
 
-from casper.engine.perception import qsr
-from casper.engine.perception.world import AgentState, WorldState
+from casper.engine.perception.world import WorldState
 from casper.engine.settings import Rows, number, read_settings, require
 from casper.kb.errors import WorldStateError
-
-BANDS = (("touch", 0.6), ("near", 2.0), ("medium", 3.0), ("far", 5.0), ("ignore", math.inf))
-_VARIANTS = {"projection": qsr.approach_by_projection, "distance": qsr.approach_by_distance}
+from casper.qsr.calculi.distances import Qdc
+from casper.qsr.calculi.motion import VARIANTS, Mos, QtcB11
+from casper.qsr.plain.points import BANDS, LARGEST
+from casper.qsr.thresholds import Speed
+from casper.qsr.watching import Watcher
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +40,7 @@ class PerceptionSettings:
         ends = [end for _, end in self.bands]
         require(bool(ends) and ends == sorted(set(ends)), "QDC bands need ends that grow from band to band")
         require(len({label for label, _ in self.bands}) == len(ends), "a QDC band is named twice")
-        require(self.qtc in _VARIANTS, f"qtc is projection or distance, not {self.qtc}")
+        require(self.qtc in VARIANTS, f"qtc is projection or distance, not {self.qtc}")
         for name in ("moving_speed", "qtc_speed", "qdc_margin", "moving_margin", "qtc_margin"):
             require(getattr(self, name) >= 0.0, f"{name} of the perception must not be negative")
 
@@ -81,16 +82,13 @@ class Relations:
     angle: Mapping[str, float]
 
 
-@dataclass(slots=True)
-class _Step:
-    """What the next step needs of this one."""
-
-    t: float
-    place: qsr.Point
-    places: dict[str, qsr.Point]
-    moving: bool | None = None
-    qdc: dict[str, str] = field(default_factory=dict)
-    qtc: dict[str, str | None] = field(default_factory=dict)
+def calculi(settings: PerceptionSettings) -> tuple[Qdc, QtcB11, Mos]:
+    """What is measured, by `casper.qsr`: in the plane, since an agent has no height."""
+    return (
+        Qdc(settings.bands, settings.qdc_margin, heights=False),
+        QtcB11(Speed(settings.qtc_speed), settings.qtc, Speed(settings.qtc_margin)),
+        Mos(Speed(settings.moving_speed), Speed(settings.moving_margin)),
+    )
 
 
 class Perception:
@@ -99,13 +97,13 @@ class Perception:
     def __init__(self, settings: PerceptionSettings, agent: str) -> None:
         self.settings = settings
         self.agent = agent
-        self._approach = _VARIANTS[settings.qtc]
-        self.reset()
+        self._watcher = Watcher(*calculi(settings))
+        self._t: float | None = None
 
     def reset(self) -> None:
         """Forget every earlier step."""
-        self._before: _Step | None = None
-        self._t: float | None = None
+        self._watcher.reset()
+        self._t = None
 
     def update(self, world: WorldState) -> Relations | None:
         """The relations at this moment, or None when the agent is absent.
@@ -117,54 +115,22 @@ class Perception:
             WorldStateError: time that does not advance, or a coordinate that is not finite.
         """
         check_world(self._t, world)
-        self._t = world.t
+        dt, self._t = world.t - (self._t or 0.0), world.t
         agent = world.agents.get(self.agent)
         if agent is None:
-            self._before = None
+            self._watcher.reset()
             return None
-        step = _Step(world.t, (agent.x, agent.y), self._places(world, agent))
-        step.moving = self._moving(step)
-        angle = self._towards_objects(step, agent)
-        self._before = step
-        return Relations(world.t, self.agent, step.moving, agent.holding, step.qdc, step.qtc, angle)
-
-    def _places(self, world: WorldState, agent: AgentState) -> dict[str, qsr.Point]:
+        held, snaps = agent.holding, self.settings.snap_held
         places = {name: (thing.x, thing.y) for name, thing in world.objects.items()}
-        if self.settings.snap_held and agent.holding is not None:
-            places[agent.holding] = (agent.x, agent.y)
-        return places
-
-    def _moving(self, step: _Step) -> bool | None:
-        before, settings = self._before, self.settings
-        if before is None:
-            return None
-        dt = step.t - before.t
-        displacement = math.hypot(step.place[0] - before.place[0], step.place[1] - before.place[1])
-        return qsr.moving(displacement, settings.moving_speed * dt, before.moving, settings.moving_margin * dt)
-
-    def _towards_objects(self, step: _Step, agent: AgentState) -> dict[str, float]:
-        """Fill QDC and QTC of the step; return the angles."""
-        x, y, heading, held = agent.x, agent.y, agent.heading, agent.holding
-        before, bands, margin = self._before, self.settings.bands, self.settings.qdc_margin
-        labels = {} if before is None else before.qdc
-        angle = {}
-        for name, place in step.places.items():
-            dx, dy = place[0] - x, place[1] - y
-            step.qdc[name] = qsr.qdc(math.hypot(dx, dy), bands, labels.get(name), margin)
-            step.qtc[name] = None if before is None else self._qtc(name, step, before, name == held)
-            aligned = name == held or (dx == 0.0 and dy == 0.0)
-            angle[name] = 0.0 if aligned else abs(math.remainder(math.atan2(dy, dx) - heading, math.tau))
-        return angle
-
-    def _qtc(self, name: str, step: _Step, before: _Step, held: bool) -> str | None:
-        towards = before.places.get(name)
-        if towards is None:
-            return None
-        if held and self.settings.snap_held:
-            return "0"  # also at the step of the grasp, when it was still lying somewhere else
-        dt, settings = step.t - before.t, self.settings
-        approach = self._approach(before.place, step.place, towards)
-        return qsr.qtc(approach, settings.qtc_speed * dt, before.qtc.get(name), settings.qtc_margin * dt)
+        if snaps and held is not None:
+            places[held] = (agent.x, agent.y)
+        lay = held is not None and self._watcher.seen_before(held)
+        moving, qdc, qtc, angle = self._watcher.update(dt, (agent.x, agent.y), agent.heading, places)
+        if held is not None and held in angle:
+            angle[held] = 0.0
+            if snaps and lay:
+                qtc[held] = "0"  # also at the step of the grasp, when it was still lying somewhere else
+        return Relations(world.t, self.agent, moving, held, qdc, qtc, angle)
 
 
 def check_world(before: float | None, world: WorldState) -> None:
@@ -176,14 +142,21 @@ def check_world(before: float | None, world: WorldState) -> None:
         WorldStateError: time that is not finite or does not advance (the sentence names both times), or a
             coordinate that is not finite (it names the object or agent, and the time).
     """
-    isfinite, t = math.isfinite, world.t
-    if not isfinite(t):
+    t, large = world.t, LARGEST
+    if not math.isfinite(t):
         raise WorldStateError(f"the time of a world state must be finite, not {t}")
     if before is not None and t <= before:
         raise WorldStateError(f"time must advance from one world state to the next: t={t:g} came after t={before:g}")
     for name, agent in world.agents.items():
-        if not (isfinite(agent.x) and isfinite(agent.y) and isfinite(agent.heading)):
-            raise WorldStateError(f"agent {name} has a coordinate that is not finite at t={t:g}")
+        if not (-large < agent.x < large and -large < agent.y < large and -large < agent.heading < large):
+            raise WorldStateError(f"agent {name} has {_unusable(agent.x, agent.y, agent.heading)} at t={t:g}")
     for name, thing in world.objects.items():
-        if not (isfinite(thing.x) and isfinite(thing.y) and (thing.z is None or isfinite(thing.z))):
-            raise WorldStateError(f"{name} has a coordinate that is not finite at t={t:g}")
+        z = thing.z
+        if not (-large < thing.x < large and -large < thing.y < large and (z is None or -large < z < large)):
+            raise WorldStateError(f"{name} has {_unusable(thing.x, thing.y, z or 0.0)} at t={t:g}")
+
+
+def _unusable(*numbers: float) -> str:
+    """NaN and infinities, and what is so large that its square is none."""
+    finite = all(map(math.isfinite, numbers))
+    return f"a coordinate {f'beyond {LARGEST:g} m' if finite else 'that is not finite'}"

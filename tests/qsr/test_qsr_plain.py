@@ -4,7 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from casper.engine.perception.qsr import approach_by_distance, approach_by_projection, moving, qdc, qtc
+from casper.qsr.plain.motion import approach_by_distance, approach_by_projection, moving, qtc
+from casper.qsr.plain.points import qdc
 
 BANDS = (("touch", 1.0), ("near", 2.0), ("medium", 4.0), ("far", 8.0))
 
