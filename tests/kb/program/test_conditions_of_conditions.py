@@ -72,6 +72,14 @@ def test_a_condition_of_conditions_holds_or_does_not(condition, holds):
         ("n(X), \\+ forall(n(Y), Y =< X)", [1]),
         ("aggregate_all(count, n(_), X)", [2]),
         ("findall(Y, m(Y), [X])", [2]),
+        ("k(Z), aggregate_all(count, (n(Y), Y < Z), X)", [2]),
+        ("m(Z), aggregate_all(count, (n(Y), Y < Z), X)", [1]),
+        ("m(Z), aggregate_all(count, Z > 1, X)", [1]),
+        ("n(Z), aggregate_all(count, \\+ m(Z), X)", [0, 1]),
+        ("n(Z), aggregate_all(count, (k(_), \\+ m(Z)), X)", [0, 1]),
+        ("n(Z), findall(W, (k(W), \\+ m(Z)), [X])", [3]),
+        ("m(Z), findall(Y-Z, (n(Y), Y < Z), [X-2])", [1]),
+        ("n(Z), Z > 1, aggregate_all(max(Y), (n(Y), Y =< Z), X)", [2]),
     ],
 )
 def test_a_condition_of_conditions_finds_values(condition, found):
