@@ -17,10 +17,7 @@ from casper.planning import import_files, import_problem, to_problem
 
 SHIPPED = Path(unified_planning.__file__).parent / "test" / "hddl"
 OURS = Path(__file__).resolve().parents[1] / "competition"
-SMALL = {
-    *("2020-po-Satellite", "2020-po-Transport", "2020-to-Blocksworld-GTOHP", "2020-to-Multiarm-Blocksworld"),
-    *("2020-to-Satellite-GTOHP", "2020-to-Towers", "barman", "freecell", "um-translog"),
-}
+SMALL = {"2020-po-Satellite", "2020-to-Towers", "barman", "freecell", "um-translog"}
 EVERY = sorted(folder for place in (SHIPPED, OURS) if place.is_dir() for folder in place.iterdir() if folder.is_dir())
 CHOSEN = [folder for folder in EVERY if folder.name in SMALL or settings.default.max_examples > 50]
 

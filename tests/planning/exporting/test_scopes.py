@@ -97,7 +97,7 @@ def test_it_comes_back_unchanged(name, asked):
 
 @pytest.mark.parametrize("name", CONDITIONS)
 def test_it_means_what_the_simulator_says(name):
-    for fuels, homes in (((0, 2), (0, 1)), ((2, 1), (1, 1)), ((1, 3), (0, 1)), ((2, 2), (1, 1))):
+    for fuels, homes in (((0, 2), (0, 1)), ((2, 1), (1, 1))):
         problem = trip(CONDITIONS[name], fuels=fuels, homes=homes)
         kb = import_problem(problem).domain().kb
         with UPSequentialSimulator(problem, error_on_failed_checks=False) as simulator:

@@ -68,7 +68,7 @@ def follow(problem, choose, steps):
             history.append((statement, float(time)))
 
 
-@settings(max_examples=settings.default.max_examples // 6)
+@settings(max_examples=settings.default.max_examples // 10)
 @given(problems(), st.data())
 def test_a_made_up_problem_means_what_the_simulator_does(problem, data):
     def choose(what, count):
