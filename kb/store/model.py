@@ -18,12 +18,13 @@ from casper.kb.reasons.constraints import ConstraintCode, Constraints, History, 
 from casper.kb.relations.layered import LayeredRelation
 from casper.kb.relations.relation import Relation, Row, copied
 from casper.kb.store.layers import GivenLayer, Layers
+from casper.kb.store.least_on_demand import Remembered, best_rows
 from casper.kb.store.on_demand import check_storable, code_of, facts_key, facts_of, index, is_demanded, listed_of
 from casper.kb.store.queries import MOST_REMEMBERED, Query, query_of
 from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.terms.origins import Origin
 from casper.kb.top_down.answering import Answering
-from casper.kb.top_down.linking import Code, Computed, Links
+from casper.kb.top_down.linking import Code, Computed, Links, Rows
 from casper.kb.top_down.lookups import Lookups
 from casper.kb.top_down.solve import DEFAULT_BUDGET
 
@@ -67,6 +68,7 @@ class Model:
     layers: int = 0  # how many models this one is laid over
     lock: RLock = field(default_factory=RLock)  # held while rows are listed: rows and code change at once
     queries: dict[str, Query] = field(default_factory=dict)  # those that were asked before, by their texts
+    best: Remembered = field(default_factory=dict)  # rows of recursive minima, by what was asked of them
     _lookups: Lookups | None = None  # of the rows that are at hand
 
     @classmethod
@@ -145,8 +147,8 @@ class Model:
     @property
     def links(self) -> Links:
         """How every predicate is answered just now."""
-        relations, code, _ = self._at_hand()
-        return Links(relations, code, self.computed)
+        relations, code, is_all = self._at_hand()
+        return Links(relations, code, self.computed if is_all else self._with_best(self.computed))
 
     def search(
         self,
@@ -162,7 +164,15 @@ class Model:
             lookups = self._lookups = Lookups(relations, code.query)
         seen = with_history(relations, history)
         asked = self.computed if computed is None else computed
+        if not is_all:
+            asked = self._with_best(asked)
         return Answering(seen, code.clauses, asked, budget, code=code, listed=listed, lookups=lookups)
+
+    def _with_best(self, computed: Mapping[Indicator, Computed]) -> Mapping[Indicator, Computed]:
+        """The computed predicates, and those whose best rows alone are kept: while they are not listed, as asked."""
+        if not self.program.least:
+            return computed
+        return {**computed, **dict.fromkeys(self.program.least, Rows(partial(best_rows, model=self)))}
 
     def full_search(
         self,
@@ -215,6 +225,7 @@ class Model:
         else:
             del given[row]
         self.changed = True
+        self.best.clear()
         self.__dict__.pop("constraints", None)
         self.__dict__.pop("proofs", None)
         if self.listed is None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from casper.kb.bottom_up.circles.asked import fixed_columns
 from casper.kb.errors import ProgramError
 from casper.kb.program.program import Program
 from casper.kb.program.refusals import undefined_sentence
@@ -18,7 +19,9 @@ from casper.kb.terms.terms import Compound, Variable
 from casper.kb.top_down.linking import Code
 
 LISTED_UP_TO = 5_000
+BEST_LISTED_UP_TO = 1_000  # of a program with a recursive minimum, which has a row for each pair of nodes
 GIVEN = "given: "  # in front of the name of the facts of a predicate that has rules, too; no text can spell it bare
+STATED = "stated: "  # the same of a predicate whose best rows alone are kept: a given row may be none of them
 
 
 def listed_of(program: Program) -> frozenset[Indicator]:
@@ -42,13 +45,17 @@ def check_storable(program: Program, indicator: Indicator) -> None:
 def is_demanded(program: Program) -> bool:
     """Whether a program has more facts than are worth listing everything that follows from them.
 
-    Where negation runs in a circle, or of a predicate only the best rows are kept, everything is listed all the same:
-    that is how they are worked out. Where no rule gives anything, there is nothing more to list.
+    Where negation runs in a circle, or of a predicate only the best rows are kept and no question can name what they
+    rest on, everything is listed all the same: that is how they are worked out. Where no rule gives anything, there is
+    nothing more to list.
     """
     listed = listed_of(program)
-    if program.circular or program.least or not any(program.rules[indicator] for indicator in listed):
+    if program.circular or not all(fixed_columns(program, indicator) for indicator in program.least):
         return False
-    return sum(len(program.given[indicator]) for indicator in listed) > LISTED_UP_TO
+    if not any(program.rules[indicator] for indicator in listed):
+        return False
+    most = min(LISTED_UP_TO, BEST_LISTED_UP_TO) if program.least else LISTED_UP_TO
+    return sum(len(program.given[indicator]) for indicator in listed) > most
 
 
 def facts_of(program: Program) -> dict[Indicator, Relation]:
@@ -61,13 +68,19 @@ def facts_of(program: Program) -> dict[Indicator, Relation]:
 
 def facts_key(program: Program, indicator: Indicator) -> Indicator:
     """Under which name the given rows of a predicate are kept."""
-    return (GIVEN + indicator[0], indicator[1]) if program.rules[indicator] else indicator
+    if not program.rules[indicator]:
+        return indicator
+    return (STATED if indicator in program.least else GIVEN) + indicator[0], indicator[1]
 
 
 def code_of(program: Program, facts: Mapping[Indicator, Relation]) -> Code:
     """The clauses to answer questions with, when only the facts are at hand."""
     listed = listed_of(program)
-    clauses = {i: found for i, found in program.clauses.items() if i not in listed or program.rules[i]}
+    clauses = {
+        i: found
+        for i, found in program.clauses.items()
+        if i not in program.least and (i not in listed or program.rules[i])
+    }
     for indicator in listed & clauses.keys():
         if len(facts[facts_key(program, indicator)]):
             clauses[indicator] = (_bridge(indicator), *clauses[indicator])

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any, TypeAlias
 
-from casper.kb.errors import ProgramError
+from casper.kb.errors import ProgramError, Undefined
 from casper.kb.program.listing import is_range_restricted
 from casper.kb.program.refusals import undefined_sentence
 from casper.kb.relations.relation import Relation
 from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import SYSTEM, Clause, Indicator, Literal
-from casper.kb.terms.terms import Compound
-from casper.kb.terms.unification import variables_of
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, as_term
+from casper.kb.terms.unification import is_ground, variables_of
+from casper.kb.terms.unknown import closed
 from casper.kb.top_down.builtins import COMPUTING, CONTROL, library
 from casper.kb.top_down.compiled.code import CompiledClause, Pattern, Procedure
 from casper.kb.top_down.lookups import Lookups
@@ -21,7 +24,32 @@ from casper.kb.top_down.planning import SizeOf, ordered
 from casper.kb.top_down.recursion import tabled_of
 
 Computed: TypeAlias = Callable[[Compound], Iterator[Compound]]
-RESOLVED, TABLED, STORED, DOUBTFUL, BUILT_IN, ASKED, CONTROLLED = range(7)
+RESOLVED, TABLED, STORED, DOUBTFUL, BUILT_IN, ASKED, CONTROLLED, PROVIDED = range(8)
+
+
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """A computed predicate whose answers are the rows of a relation that is made for what is asked.
+
+    Args:
+        relation: from an atom to a relation that has every row it can be, the undefined ones among them.
+    """
+
+    relation: Callable[[Compound], Relation]
+
+    def __call__(self, atom: Compound) -> Iterator[Compound]:
+        """The rows that the atom can be.
+
+        Raises:
+            Undefined: after the last one, where another row that it can be is undefined.
+        """
+        relation = self.relation(atom)
+        known = tuple(c for c, arg in enumerate(atom.args) if is_ground(arg))
+        key = tuple([atom.args[c] for c in known])
+        for row in list(relation.matching(known, key)):
+            yield Compound((atom[0], *row))
+        for row in relation.undefined.matching(known, key) if relation.undefined is not None else ():
+            raise Undefined(f"{term_text(as_term(Compound((atom[0], *map(closed, row)))))} is undefined")
 
 
 class Link:
@@ -123,7 +151,8 @@ class Links(dict[Indicator, Link]):
         if relation is not None:
             return Link(STORED if relation.undefined is None else DOUBTFUL, relation)
         if indicator in self.computed:
-            return Link(ASKED, self.computed[indicator])
+            computed = self.computed[indicator]
+            return Link(PROVIDED if isinstance(computed, Rows) else ASKED, computed)
         if indicator in self.code.clauses:
             return Link(TABLED if indicator in self.code.tabled else RESOLVED, self.code.procedure(indicator))
         if indicator in CONTROL:

@@ -12,7 +12,18 @@ from casper.kb.terms.unification import variables_of
 from casper.kb.text.lines import Shown
 from casper.kb.text.writer import literal_text
 from casper.kb.top_down.compiled.code import Procedure
-from casper.kb.top_down.linking import ASKED, BUILT_IN, CONTROLLED, DOUBTFUL, STORED, TABLED, Code, Link, Links
+from casper.kb.top_down.linking import (
+    ASKED,
+    BUILT_IN,
+    CONTROLLED,
+    DOUBTFUL,
+    PROVIDED,
+    STORED,
+    TABLED,
+    Code,
+    Link,
+    Links,
+)
 from casper.kb.top_down.planning import binds, is_bound
 
 if TYPE_CHECKING:
@@ -68,9 +79,7 @@ def plan_of(bodies: Iterable[Sequence[Literal]], links: Links, columns: str = ""
     return Plan(tuple(step for body in bodies for step in _body(body, set(), links, 0, told)), columns)
 
 
-def _body(
-    body: Sequence[Literal], known: set[Variable], links: Links, depth: int, told: set[Asked]
-) -> Iterator[Step]:
+def _body(body: Sequence[Literal], known: set[Variable], links: Links, depth: int, told: set[Asked]) -> Iterator[Step]:
     bound = set(known)
     for literal in body:
         pattern = tuple(is_bound(arg, bound) for arg in literal.atom.args)
@@ -89,9 +98,7 @@ def _body(
         bound |= binds(literal, bound)
 
 
-def _inside(
-    atom: Compound, pattern: tuple[bool, ...], links: Links, depth: int, told: set[Asked]
-) -> Iterator[Step]:
+def _inside(atom: Compound, pattern: tuple[bool, ...], links: Links, depth: int, told: set[Asked]) -> Iterator[Step]:
     """The rules behind a condition, once."""
     if isinstance(links[atom.indicator].what, Procedure) and (atom.indicator, pattern) not in told:
         told.add((atom.indicator, pattern))
@@ -121,6 +128,8 @@ def _method(link: Link, literal: Literal, pattern: tuple[bool, ...], code: Code)
         return "built-in", ()
     if link.how == ASKED:
         return "computed from statements and constraints", ()
+    if link.how == PROVIDED:
+        return f"the best rows of {shown}, as far as they are asked for", ()
     if (name, arity) not in code.clauses:
         return "built-in, by clauses", ()
     found = len(link.what.all)

@@ -24,7 +24,7 @@ from casper.kb.relations.undefined import UndefinedRows, are_settled
 from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.terms.unknown import UNKNOWN, may_equal
 
-COLUMNS_FROM = 2_000  # rows below the stratum from which it is worked out on columns, where that can be
+COLUMNS_FROM = 300  # rows below the stratum from which it is worked out on columns, where that can be
 
 
 def least_rows(

@@ -14,7 +14,18 @@ from casper.kb.terms.terms import Compound
 from casper.kb.top_down.compiled.cells import Cell, deref, freeze, thaw, variant
 from casper.kb.top_down.compiled.code import STOP, Frame, Node
 from casper.kb.top_down.compiled.unifying import unify
-from casper.kb.top_down.linking import ASKED, BUILT_IN, CONTROLLED, DOUBTFUL, RESOLVED, STORED, TABLED, Computed, Link
+from casper.kb.top_down.linking import (
+    ASKED,
+    BUILT_IN,
+    CONTROLLED,
+    DOUBTFUL,
+    PROVIDED,
+    RESOLVED,
+    STORED,
+    TABLED,
+    Computed,
+    Link,
+)
 from casper.kb.top_down.running.clauses import chosen, only, resolved
 from casper.kb.top_down.running.engine import Workspace
 from casper.kb.top_down.running.goals import goal_state, joined
@@ -88,6 +99,15 @@ def _asked(
     return offered(work, _answers(link.what, atom), args, _after(node, frame, cont), doubt, strand)
 
 
+def _provided(
+    work: Workspace, link: Link, node: Node, frame: Frame, cont: Cont, doubt: str, strand: Strand
+) -> State | None:
+    args = node.build(frame)
+    relation = link.what.relation(Compound((node.key[0], *(freeze(arg, {}, Compound) for arg in args))))
+    rows = doubtful_rows(Link(DOUBTFUL, relation), args, node.key[0])
+    return offered(work, rows, args, _after(node, frame, cont), doubt, strand)
+
+
 def _answers(computed: Computed, atom: Compound) -> Iterator[tuple[Row, str]]:
     """What a computed predicate gives; after that, where others are undefined, anything, doubtfully."""
     try:
@@ -153,5 +173,6 @@ _CALLS: dict[int, _Call] = {
     DOUBTFUL: _doubtful,
     BUILT_IN: _built_in,
     ASKED: _asked,
+    PROVIDED: _provided,
     CONTROLLED: _control,
 }
