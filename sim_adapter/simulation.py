@@ -136,7 +136,7 @@ class Simulation:
         return True
 
     def _vacant(self, name: str, thing: str, place: str) -> bool:
-        """Whether somebody can bring a thing to a place: nobody else is at work there, and nothing of theirs lies there.
+        """Whether somebody can bring a thing to a place: nobody else is at work there, and nothing else lies there.
 
         Who is told so has the place until they turn to another one.
         """
