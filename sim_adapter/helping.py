@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from casper.engine.collaboration.supervisor import Supervisor
 from casper.engine.domain.domain import Domain
@@ -38,6 +39,7 @@ class Helper:
         self.domain, self.simulation = domain, simulation
         self.tasks: list[Task] = []  # asked for and not over yet, in the order in which the robot does them
         self.asked: list[Compound] = []  # all that was ever asked for and not withdrawn
+        self.asked_for: list[tuple[str, Compound]] = []  # the same, with the partner whose goal it is for
         self.finished: list[Compound] = []  # all that was done, in order
         self.is_good = True  # whether all of it was done and came to rest where it belongs, as far as it is over
         self._to_check: list[Compound] = []
@@ -63,6 +65,7 @@ class Helper:
         self.simulation.robot.do([task.step for task in new])
         self.tasks += new
         self.asked += [task.action for task in new]
+        self.asked_for += [(mind.partner, task.action) for task in new]
         for task in new:
             yield self._told(t, task, "asked")
 
@@ -99,6 +102,7 @@ class Helper:
         for task in gone:
             self.tasks.remove(task)
             self.asked.remove(task.action)
+            self.asked_for.remove((task.mind.partner, task.action))
             if task.step == current:
                 yield self._told(t, task, "stopped", "it was withdrawn")
 
@@ -114,6 +118,12 @@ class Helper:
         """Whether the robot's part is physically finished: every action done, every object resting where it belongs."""
         self.settle()
         return bool(self.asked) and not self.tasks and self.is_good
+
+    def part_of(self, partner: str) -> dict[str, Any]:
+        """What the robot was asked for of one partner's goals, and whether it is finished."""
+        asked = [_text(action) for who, action in self.asked_for if who == partner]
+        open_ = any(task.mind.partner == partner for task in self.tasks)
+        return {"actions": asked, "done": bool(asked) and not open_ and self.robot_done}
 
     def _told(self, t: float, task: Task, status: str, reason: str = "") -> Event:
         told = {"agent": self.domain.robot, "partner": task.mind.partner, "action": _text(task.action)}

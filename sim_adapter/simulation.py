@@ -60,12 +60,13 @@ class Simulation:
         for name, (whence, pauses) in zip(scene.people, ((0, 1), *((n, n + 1) for n in range(3, len(streams), 2)))):
             given = start if start is not None and not self.people else scene.starts.get(name)
             began = self._start(human_ways, robot_start[:2], streams[whence], given)
-            others = partial(self._discs, name)
-            self.people[name] = Human(self.physics, name, human_ways, began, others, streams[pauses])
+            about = partial(self._discs, name), streams[pauses], partial(self._vacant, name)
+            self.people[name] = Human(self.physics, name, human_ways, began, *about)
         self.physics.refresh()
         self.robot.post = vantage(self.physics, self.sensor, robot_ways, robot_start[:2])
         self._attention = Attention(self.sensor, self.robot.head, self.people)
         self._ticks = 0
+        self._taken: dict[str, str] = {}  # which place somebody has gone to with something
 
     @property
     def human(self) -> Human:
@@ -132,6 +133,21 @@ class Simulation:
         if taken or self.physics.holder(thing) is not None:
             return False
         self.physics.put_back(thing)
+        return True
+
+    def _vacant(self, name: str, thing: str, place: str) -> bool:
+        """Whether somebody can bring a thing to a place: nobody else is at work there, and nothing else lies there.
+
+        Who is told so has the place until they turn to another one.
+        """
+        if len(self.people) == 1:
+            return True
+        by, where = self._taken.get(place), self.physics.positions()
+        if by not in (None, name) and self.people[str(by)].is_bound_for(place):
+            return False
+        if any(is_placed(self.scene, where, other, place) for other in self.scene.movables if other != thing):
+            return False
+        self._taken[place] = name
         return True
 
     def _make_way(self) -> None:

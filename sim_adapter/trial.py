@@ -171,8 +171,11 @@ class Trial:
         asked = [term_text(as_term(action)) for action in self.helper.asked]
         data["robot"] = {"actions": asked, "done": self.helper.robot_done}
         if len(rows) > 1:
+            parts = [self.helper.part_of(name) for name in self.partners]
             data["correct"] = all(row["correct"] for row in rows)
-            data["partners"] = [{"agent": name, **row} for name, row in zip(self.partners, rows)]
+            data["robot"]["done"] = all(part["done"] for part in parts)
+            each = zip(self.partners, rows, parts)
+            data["partners"] = [{"agent": name, **row, "robot": part} for name, row, part in each]
         return Event("summary", self.simulation.time, data).about(self.mind.partner)
 
     def _row(self, name: str) -> dict[str, Any]:

@@ -18,6 +18,7 @@ from casper.sim_adapter.room.scene import Point
 from casper.sim_adapter.steps import SKILLS, Step, StepFailed, StepQueue, Ticks, Worker, check_objects
 
 MOVEMENTS = ("still", "walk", "transport", "pick", "place")
+LONGEST_WAIT = 120.0  # seconds for a place where others are at work
 AT_HAND = 0.35  # metres within which an object counts as being at the destination of its use
 
 
@@ -31,6 +32,7 @@ class Human(Worker):
         start: x, y (metres), heading (radians).
         others: gives the discs of those to keep away from.
         rng: for the length of its pauses.
+        vacant: whether something can be brought to a place now, of what and where; others may be at work there.
     """
 
     def __init__(
@@ -41,6 +43,7 @@ class Human(Worker):
         start: tuple[float, float, float],
         others: Callable[[], Sequence[Disc]],
         rng: np.random.Generator,
+        vacant: Callable[[str, str], bool] = lambda target, place: True,
     ) -> None:
         self.physics = physics
         self.scene = physics.scene
@@ -51,6 +54,7 @@ class Human(Worker):
         self.walk = HumanWalk(self.body, navigator, others)
         self.queue = StepQueue()
         self._rng = rng
+        self._vacant = vacant
         self._skill: Ticks | None = None
 
     @property
@@ -109,6 +113,11 @@ class Human(Worker):
             self.queue.waiting.append(Step("stand_aside"))
         return dropped
 
+    def is_bound_for(self, place: str) -> bool:
+        """Whether what they do, or do next, is done at a place."""
+        step = self.queue.current or next(iter(self.queue.waiting), None)
+        return step is not None and step.destination == place
+
     def make_way(self, spot: Point) -> None:
         """Go to a spot, if there is nothing to do."""
         if self.idle:
@@ -152,6 +161,7 @@ class Human(Worker):
 
     def _pick_and_place(self, target: str, destination: str) -> Ticks:
         yield from self._until_free(target)
+        yield from self._until_vacant(target, destination)
         yield from self.walk.go_to(target)
         yield from self._pause()
         yield from self._until_free(target)
@@ -181,6 +191,14 @@ class Human(Worker):
             yield
         if name in self.physics.removed:
             raise StepFailed(f"{name} is no longer there")
+
+    def _until_vacant(self, target: str, place: str) -> Ticks:
+        """Wait while others are at work at a place, or something of theirs lies there; not for ever."""
+        since = self.physics.time
+        while not self._vacant(target, place) and self.physics.time - since < LONGEST_WAIT:
+            self.body.stand("still")
+            self.body.relax_hand()
+            yield
 
     def _pause(self) -> Ticks:
         """Standing in front of what it is about to take."""

@@ -87,6 +87,16 @@ def test_a_domain_can_be_used_by_its_name_where_there_are_roots(tmp_path):
     assert loaded(main, [tmp_path / "shipped"]).ask("h:food(bread)")
 
 
+def test_a_file_that_is_not_beside_is_included_from_the_roots_and_one_that_is_comes_first(tmp_path):
+    main = written(tmp_path, main=':- include("house/food.pl").')
+    (tmp_path / "shipped" / "house").mkdir(parents=True)
+    (tmp_path / "shipped" / "house" / "food.pl").write_text("food(bread).")
+    assert list(loaded(main, [tmp_path / "shipped"]).query("food(X)")) == [{"X": "bread"}]
+    (tmp_path / "house").mkdir()
+    (tmp_path / "house" / "food.pl").write_text("food(rice).")
+    assert list(loaded(main, [tmp_path / "shipped"]).query("food(X)")) == [{"X": "rice"}]
+
+
 def test_its_constraints_are_about_its_own_statements(tmp_path):
     main = written(tmp_path, main=':- use("home.pl", as(home)).\n:- include("local.pl").', home=HOME, local="eat(tom, bread).")
     kb = loaded(main)
