@@ -204,6 +204,12 @@ def test_misspelt_names_are_mended(editor, home):
     assert repairs["write _ for Y"].endswith("wave(X, _) :- humn(X).\n")
 
 
+def test_a_misspelt_setting_is_mended(editor, home):
+    uri = grown(editor, home / "ontology.pl", "setting(focus, thresold, 0.4).\n")
+    editor.findings(uri, lambda found: any("did you mean threshold?" in each for each in found))
+    assert editor.repairs(uri)["write threshold"].endswith("setting(focus, threshold, 0.4).\n")
+
+
 def test_columns_are_counted_as_the_editor_counts_them(editor, home):
     uri = grown(editor, home / "ontology.pl", "'\U0001f375'(X) :- cup(X), humn(X).\n")
     editor.findings(uri, bool)
