@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Callable, Iterable
+from difflib import get_close_matches
 from numbers import Integral
 from typing import Any, TypeVar
 
@@ -32,7 +33,9 @@ def read_settings(kind: type[S], rows: Rows, section: str, **given: Any) -> S:
             continue
         if name not in defaults:
             known = ", ".join(sorted(defaults))
-            raise DomainError(f"setting({section}, {name}, …) is unknown; {section} has {known}")
+            close = get_close_matches(str(name), defaults, n=1)
+            hint = f"; did you mean {close[0]}?" if close else ""
+            raise DomainError(f"setting({section}, {name}, …) is unknown; {section} has {known}{hint}")
         read = _value(defaults[name], value, f"setting({section}, {name}, {value})")
         if found.setdefault(name, read) != read:
             raise DomainError(f"setting({section}, {name}, …) has two values, {found[name]} and {read}")

@@ -90,3 +90,10 @@ def test_bounds_are_read_from_what_the_package_requires():
 )
 def test_a_version_is_held_against_its_bounds(version, bounds, wrong):
     assert too_old(version, bounds) == wrong
+
+
+def test_an_editor_without_its_library_is_told_what_to_install(casper, monkeypatch):
+    monkeypatch.setattr("casper.cli.terminal.extras.find_spec", lambda module: None)
+    told = casper("lsp", "--stdio")
+    assert told.code == 2
+    assert told.err == "casper: this needs pygls, which is not installed: pip install 'casper-hri[lsp]'\n"

@@ -195,6 +195,16 @@ def test_actions_that_are_recognised_are_renamed_there_too(editor, kitchen):
     assert not [f for f in check_domain(kitchen) if f.severity == "error"]
 
 
+def test_what_is_included_from_the_package_is_known_and_keeps_its_names(editor, home):
+    uri = grown(editor, home / "ontology.pl", ':- include("household.pl").\nslow(M) :- movement(_, _, _, _, M).\n')
+    assert editor.definition(uri, "movement(_", 2)[0].startswith("movements.pl:")
+    with pytest.raises(JsonRpcException, match="has a meaning to the system"):
+        editor.rename(uri, "movement(_", "motion", 2)
+    editor.change(uri, editor.texts[uri] + "quick(M) :- hold(M).\n")
+    with pytest.raises(JsonRpcException, match="comes with casper, and keeps its name"):
+        editor.rename(uri, "hold(M)", "grip", 2)
+
+
 def test_misspelt_names_are_mended(editor, home):
     uri = grown(editor, home / "ontology.pl", "wave(X, Y) :- humn(X).\n")
     editor.findings(uri, lambda found: len(found) == 2)
@@ -202,6 +212,12 @@ def test_misspelt_names_are_mended(editor, home):
     assert repairs["write human"].endswith("wave(X, Y) :- human(X).\n")
     assert repairs["write _Y"].endswith("wave(X, _Y) :- humn(X).\n")
     assert repairs["write _ for Y"].endswith("wave(X, _) :- humn(X).\n")
+
+
+def test_a_misspelt_setting_is_mended(editor, home):
+    uri = grown(editor, home / "ontology.pl", "setting(focus, thresold, 0.4).\n")
+    editor.findings(uri, lambda found: any("did you mean threshold?" in each for each in found))
+    assert editor.repairs(uri)["write threshold"].endswith("setting(focus, threshold, 0.4).\n")
 
 
 def test_columns_are_counted_as_the_editor_counts_them(editor, home):

@@ -74,6 +74,9 @@ def _checked(domain: Domain, name: Name, new: str) -> str:
         raise CasperError(f"{name.name} has a meaning to the system, and keeps its name")
     if not new or _is_variable(new) or "\n" in new:
         raise CasperError(f"{new or 'nothing'} is no name: it starts with a small letter, or stands in quotes")
+    for use in domain.uses.get(symbol, ()):
+        if domain.is_foreign(use.doc):
+            raise CasperError(f"{name.name} stands in {use.doc.path.name}, which comes with casper, and keeps its name")
     plain = new[1:-1] if len(new) > 1 and new[0] == new[-1] and new[0] in "'\"" else new
     if (plain, symbol[1]) in domain.uses and plain != name.name:
         other = plain if symbol[1] is None else f"{plain}/{symbol[1]}"

@@ -28,6 +28,7 @@ from casper.lsp.positions import Lines
 
 MOST_KEPT = 20_000  # clauses
 NOWHERE = "<clause>"
+_OF_PLANS: tuple[Indicator, ...] = (("goal", 1), ("setting", 3))
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,9 +47,10 @@ class Piece:
     is_half_read: bool
 
     @property
-    def is_plan(self) -> bool:
-        """Whether it has a production."""
-        return any(isinstance(sentence, Production) for sentence in self.sentences)
+    def of_plans(self) -> bool:
+        """Whether it is a production, or says what is a goal or how plans are dealt with."""
+        said = any(each in _OF_PLANS for each in self.defines)
+        return said or any(isinstance(sentence, Production) for sentence in self.sentences)
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,7 +136,7 @@ def piece_of(text: str, operators: str = "") -> Piece:
         needs += _needs(clause, findings)
     findings += single_variables(read.sentences)
     names = [name for tokens in sentences_of(text) for name in names_of(tokens)]
-    defined = (each for sentence in read.sentences for each in _defined(sentence, findings))
+    defined = [each for sentence in read.sentences for each in _defined(sentence, findings)]
     unread = bool(read.mistakes)
     return Piece(text, tuple(read.sentences), tuple(findings), tuple(names), tuple(needs), tuple(defined), unread)
 

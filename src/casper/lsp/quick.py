@@ -58,8 +58,8 @@ def _of_sentences(domain: Domain) -> Iterator[Finding]:
         whole = [(doc, start, piece) for doc in domain.docs for start, piece in doc.pieces]
         checked = wrong_says(_numbered(tuple(piece for *_, piece in whole)), domain.known, domain.half_read)
         yield from _placed(whole, (f for f in checked if f.severity is not Severity.ERROR))
-    plans = [(doc, start, piece) for doc in domain.docs for start, piece in doc.pieces if piece.is_plan]
-    if 0 < len(plans) <= MOST_PRODUCTIONS:
+    plans = [(doc, start, piece) for doc in domain.docs for start, piece in doc.pieces if piece.of_plans]
+    if domain.productions and len(domain.productions) <= MOST_PRODUCTIONS:
         verifies = any(doc.path.name == "ontology.pl" for doc in domain.docs)
         steps = {(n.name, n.arity + 1) for *_, piece in plans for n in piece.names if n.arity is not None}
         known = frozenset(steps & domain.known) if verifies else None

@@ -130,6 +130,10 @@ class Domain:
             or (symbol in SYSTEM_RELATIONS or symbol in RELATIONS)
         )
 
+    def is_foreign(self, doc: Document) -> bool:
+        """Whether a text is one of the package's own, which other domains include as well."""
+        return doc.path.is_relative_to(SHIPPED) and not doc.path.is_relative_to(self.folder)
+
     def definitions(self, symbol: Symbol) -> list[Use]:
         """Where something is defined: heads of clauses and productions; of a constant where it stands first."""
         uses = self.uses.get(symbol, [])
@@ -211,9 +215,9 @@ def _prefix(directive: Directive) -> Iterator[str]:
 
 
 def _included(directive: Directive, folder: Path) -> list[Path]:
-    """The file that stands for an include, where there is one."""
+    """The file that stands for an include, where there is one: beside the text, or among the shipped ones."""
     name = directive.term[1] if directive.term.indicator == ("include", 1) else None
     if not isinstance(name, str) or "\0" in name:
         return []
-    file = Path(os.path.normpath(folder / name))
-    return [file] if file.is_file() and not file.is_relative_to(SHIPPED) else []
+    places = (Path(os.path.normpath(above / name)) for above in (folder, SHIPPED))
+    return [file for file in places if file.is_file()][:1]
