@@ -13,6 +13,7 @@ import pytest
 from pages import DOCS, PAGES, ROOT, links_of, name_of
 
 THOROUGH = os.environ.get("HYPOTHESIS_PROFILE") == "thorough"
+HOUSES = ("kb", "plans", "engine", "sim_adapter", "domains", "src", "tests", "benchmarks", "docs", "examples")
 
 
 @pytest.fixture(scope="module")
@@ -61,3 +62,9 @@ def test_a_link_to_a_file_leads_to_one(page):
     for target in links_of(page):
         if not re.match(r"[a-z]+:|#", target):
             assert (page.parent / target.partition("#")[0]).exists(), target
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_a_file_that_a_page_names_is_there(page):
+    named = re.findall(rf"`((?:{'|'.join(HOUSES)})/[\w./-]+)`", page.read_text())
+    assert [name for name in named if not (ROOT / name).exists()] == []
