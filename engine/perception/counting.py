@@ -43,18 +43,17 @@ class Count:
         return np.int64(sum(self._bit[name] for name in names if name is not None))
 
     def settle(self) -> bool:
-        """Find targets and destinations; False if guessing leads nowhere."""
-        guess = np.full(len(self._best), self._first)
+        """Find targets and destinations; False if guessing leads nowhere.
+
+        The first guess is that where several are best nobody is voted for: who is the target mostly stays it then.
+        """
+        guess = self._targets(self._certain)[1] if len(self._ties) else np.full(len(self._best), self._first)
         for _ in range(ROUNDS):
             votes, candidates = self._cast(_shifted(guess, self._first))
-            slots = np.concatenate([np.array(self._slots, dtype=np.int64), votes])
-            target, sure = self._winners(
-                slots, len(votes), self.windows.target, self.windows.target_votes, guess, self._first
-            )
-            if np.array_equal(target, guess) or (sure and not len(self._ties)):
-                self.target, self._all_slots = target, slots
+            self._all_slots, self.target = self._targets(votes)
+            if not len(self._ties) or np.array_equal(self.target, guess):
                 return self._settle_destinations(candidates)
-            guess = target
+            guess = self.target
         return False
 
     def _cast(self, before: Array) -> tuple[Array, Array]:
@@ -70,31 +69,36 @@ class Count:
         candidates[at] = np.where(open_, _NONE, worthy & ~mine)
         return votes, candidates
 
-    def _winners(
-        self, slots: Array, length: int, window: int, needed: int, guess: Array, first: Any
-    ) -> tuple[Array, bool]:
-        """Who has the votes at each step; and whether that depends on no guess."""
-        won, sure = self._decided(_with_votes(slots, length, window, needed), _shifted(guess, first), slots, window)
-        return _filled(won, first), sure
+    def _targets(self, votes: Array) -> tuple[Array, Array]:
+        """The windows' slots, and who has the votes at each step."""
+        slots = np.concatenate([np.array(self._slots, dtype=np.int64), votes])
+        window, needed, first = self.windows.target, self.windows.target_votes, self._first
+        won = _with_votes(slots, len(votes), window, needed)
+        decided, _ = self._decided(won, np.full(len(votes), first), slots, window, guessed=False)
+        return slots, _filled(decided, first)
 
-    def _decided(self, won: Array, before: Array, slots: Array, window: int) -> tuple[Array, bool]:
+    def _decided(self, won: Array, before: Array, slots: Array, window: int, guessed: bool) -> tuple[Array, bool]:
         """One winner of several: who it was before, else who has most votes; and whether there never were several.
 
-        Where the same several win in a row, who is chosen at first is taken to stay, which the next guess confirms.
+        Where the same several win in a row, who is chosen at first stays. Who it was before is guessed, or, as long as
+        nothing is, taken to be the last winner.
         """
         several = (won & (won - 1)) != 0
         if not several.any():
             return won, True
-        own = won & before
-        open_ = several & (own == 0)
-        chosen = np.where(several & (own != 0), own, won)
-        if open_.any():
-            begins = open_.copy()
-            begins[1:] &= ~(open_[:-1] & (won[1:] == won[:-1]))
-            for at in np.flatnonzero(begins).tolist():
-                chosen[at] = self._most(slots, at + len(slots) - len(won), window, int(won[at]))
-            since = np.maximum.accumulate(np.where(begins, np.arange(len(won)), 0))
-            chosen[open_] = chosen[since[open_]]
+        begins = several.copy()
+        begins[1:] &= ~(several[:-1] & (won[1:] == won[:-1]))
+        places = np.arange(len(won))
+        run = np.maximum.accumulate(np.where(begins, places, 0))
+        last = _shifted(np.maximum.accumulate(np.where(won != 0, places, -1)), -1)
+        chosen = won.copy()
+        for at in np.flatnonzero(begins).tolist():
+            earlier = int(last[at])
+            follows = not guessed and earlier >= 0
+            current = chosen[run[earlier] if several[earlier] else earlier] if follows else before[at]
+            own = won[at] & current
+            chosen[at] = own if own else self._most(slots, at + len(slots) - len(won), window, int(won[at]))
+        chosen[several] = chosen[run[several]]
         return chosen, False
 
     def _most(self, slots: Array, last: int, window: int, won: int) -> Any:
@@ -112,9 +116,9 @@ class Count:
         target, window, needed = self.target[begins:], self.windows.destination, self.windows.destination_votes
         slots = np.concatenate([np.array(self._further, dtype=np.int64), candidates[begins:] & ~target])
         self._all_further, guess = slots, np.full(len(target), self._first_further)
-        for _ in range(ROUNDS):
-            found, sure = self._destinations(slots, target, window, needed, guess)
-            if sure or np.array_equal(found, guess):
+        for guesses in range(ROUNDS):
+            found, sure = self._destinations(slots, target, window, needed, guess, guesses > 0)
+            if sure or (guesses and np.array_equal(found, guess)):
                 self.destination = np.concatenate([np.zeros(begins, dtype=np.int64), found])
                 self.attended = np.zeros(len(self.target), dtype=np.int64)
                 self.attended[begins:] = self._looked_at(slots, target)
@@ -122,9 +126,12 @@ class Count:
             guess = found
         return False
 
-    def _destinations(self, slots: Array, target: Array, window: int, needed: int, guess: Array) -> tuple[Array, bool]:
+    def _destinations(
+        self, slots: Array, target: Array, window: int, needed: int, guess: Array, guessed: bool
+    ) -> tuple[Array, bool]:
         before = _shifted(guess, self._first_further) & ~target
-        won, sure = self._decided(_with_votes(slots, len(target), window, needed) & ~target, before, slots, window)
+        won = _with_votes(slots, len(target), window, needed) & ~target
+        won, sure = self._decided(won, before, slots, window, guessed)
         filled = _filled(won, self._first_further)
         places = np.arange(len(won))
         since = np.maximum.accumulate(np.where(won != 0, places, -1))
