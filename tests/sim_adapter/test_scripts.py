@@ -42,5 +42,5 @@ def test_what_nobody_can_do_is_told() -> None:
 
 
 def test_a_goal_that_is_none_is_told_with_those_there_are() -> None:
-    with pytest.raises(DomainError, match="there is no goal h: choose g|there is no goal 'h': choose g"):
+    with pytest.raises(DomainError, match="there is no goal 'h': choose g"):
         done("goal(g). g --> put(C, table), more(C). more(C) --> wash(C, sink). more(C) --> put(C, sink), more(C).", "h")
