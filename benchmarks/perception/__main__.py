@@ -1,9 +1,9 @@
-"""Steps a second of qualitative relations: whole traces, a step at a time, and pair by pair, with equal answers checked.
+"""Steps a second of qualitative relations: whole traces, a step at a time, and pair by pair; equal answers checked.
 
     python benchmarks/perception [--quick]
 
-Seconds are the processor's, the least of three runs. The last two columns of the first table add the focus of attention:
-QDC, QTC_B of the observer, MOS, angles, shares, target and destination.
+Seconds are the processor's, the least of three runs. The last two columns of the first table add the focus of
+attention: QDC, QTC_B of the observer, MOS, angles, shares, target and destination.
 """
 
 import argparse

@@ -19,7 +19,8 @@ def walk(steps: int, objects: int, seed: int = 1, hz: float = 10.0) -> qsr.Trace
     headings = np.full((steps, objects + 1), np.nan)
     headings[:, 0] = heading
     names = ["human", *(f"thing{n}" for n in range(objects))]
-    return qsr.Trace.of(np.arange(steps) / hz, names, places, headings=headings, sizes=numbers.uniform(0.1, 1, (objects + 1, 2)))
+    sizes = numbers.uniform(0.1, 1, (objects + 1, 2))
+    return qsr.Trace.of(np.arange(steps) / hz, names, places, headings=headings, sizes=sizes)
 
 
 def seen(trace: qsr.Trace) -> list[dict[str, qsr.Body]]:
