@@ -23,6 +23,7 @@ from casper.kb.store.on_demand import check_storable, code_of, facts_key, facts_
 from casper.kb.store.queries import MOST_REMEMBERED, Query, query_of
 from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.terms.origins import Origin
+from casper.kb.terms.terms import Compound
 from casper.kb.top_down.answering import Answering
 from casper.kb.top_down.linking import Code, Computed, Links, Rows
 from casper.kb.top_down.lookups import Lookups
@@ -172,7 +173,11 @@ class Model:
         """The computed predicates, and those whose best rows alone are kept: while they are not listed, as asked."""
         if not self.program.least:
             return computed
-        return {**computed, **dict.fromkeys(self.program.least, Rows(partial(best_rows, model=self)))}
+        return {**computed, **dict.fromkeys(self.program.least, Rows(self._best_of))}
+
+    def _best_of(self, atom: Compound) -> Relation:
+        asked = best_rows(atom, self.program, self.facts, self.best) if self.listed is None else None
+        return self.relations[atom.indicator] if asked is None else asked
 
     def full_search(
         self,
