@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Hashable, Iterable, Iterator, Sequence
 from difflib import get_close_matches
 
 from casper.kb.checks.finding import Finding, error, warning
@@ -33,7 +33,7 @@ def wrong_says(
     if not clauses:
         return
     things = _Things(sentences, known)
-    says: list[Say] = []
+    says: dict[Hashable, list[Say]] = {}  # by language and what they are about
     for clause in clauses:
         mistake = mistake_of(clause)
         if mistake is not None:
@@ -43,11 +43,12 @@ def wrong_says(
         assert say is not None
         if say.about.functor not in half_read and (nothing := things.missing(say)):
             yield warning(clause.place, nothing)
-        earlier = next((other for other in says if _covers(other, say)), None)
+        before = says.setdefault((say.language, say.key), [])
+        earlier = next((other for other in before if _covers(other, say)), None)
         if earlier is not None:
             where = _where(earlier.clause.place, clause.place)
             yield warning(clause.place, f"this sentence is never told: {where} has one for {_text(earlier)} already")
-        says.append(say)
+        before.append(say)
 
 
 def mistake_of(clause: Clause) -> str | None:
@@ -140,8 +141,6 @@ class _Things:
 
 def _covers(earlier: Say, later: Say) -> bool:
     """Whether whatever the later sentence is for is told by the earlier one: it fits, and needs no value more."""
-    if (earlier.language, earlier.key) != (later.language, later.key):
-        return False
     marks: Bindings = {v: Compound((_ANY, v.name)) for v in variables_of(later.about)}
     found: dict[str, Term] = {}
     if not fits(earlier.about, substitute(later.about, marks), found):

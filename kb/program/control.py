@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
 from itertools import product
+from math import prod
 
 from casper.kb.errors import Place, ProgramError
 from casper.kb.program.listing import is_range_restricted
@@ -20,6 +21,7 @@ from casper.kb.terms.syntax import COMPARISONS, term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term, predication
 from casper.kb.terms.unification import Bindings, is_ground, substitute, variables_of
 from casper.kb.terms.values.aggregates import check_way
+from casper.kb.text.sentences import MOST_ALTERNATIVES, TOO_MANY
 
 _FAILS = Compound(("=", "true", "fail"))
 
@@ -78,7 +80,7 @@ class _Plain:
             outer: the variables bound before the body (None: the head's).
             around: the conditions among which the clause is asked.
         """
-        for body in product(*(_alternatives(x.atom, x.negated, x.place) for x in clause.body)):
+        for body in _combined([_alternatives(x.atom, x.negated, x.place) for x in clause.body], clause.place):
             leaves = [leaf for part in body for leaf in part]
             before = set(variables_of(clause.head)) if outer is None else set(outer)
             literals = []
@@ -219,10 +221,21 @@ def _alternatives(goal: Compound, negated: bool, place: Place) -> list[list[Lite
         if negated:
             return [[Literal(goal, True, place)]]
         parts = [_alternatives(_goal(arg, place), False, place) for arg in args]
-        return [[leaf for part in choice for leaf in part] for choice in product(*parts)]
+        return [[leaf for part in choice for leaf in part] for choice in _combined(parts, place)]
     if goal.indicator in _AGGREGATES and negated:
         return [[Literal(Compound((",", goal)), True, place)]]
     return [[Literal(goal, negated, place)]]
+
+
+def _combined(parts: Sequence[list[list[Literal]]], place: Place) -> Iterator[tuple[list[Literal], ...]]:
+    """Every choice of one alternative of each part.
+
+    Raises:
+        ProgramError: there are too many of them.
+    """
+    if prod(map(len, parts)) > MOST_ALTERNATIVES:
+        raise ProgramError(TOO_MANY, place if place.line else None)
+    return product(*parts)
 
 
 def _called(goal: Compound, place: Place) -> Compound:

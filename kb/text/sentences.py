@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import product
+from math import prod
 from typing import NoReturn, TypeAlias
 
 from casper.kb.errors import Place
@@ -16,6 +17,8 @@ from casper.kb.text.namespace import goal_of
 from casper.kb.text.parsing.conditions import Condition, ConditionParser
 from casper.kb.text.parsing.places import Places
 
+MOST_ALTERNATIVES = 10_000  # of one body
+TOO_MANY = f"this body has more than {MOST_ALTERNATIVES:,} alternatives; give groups of them names, by rules of their own"
 _TOP = 1199  # the highest priority of a head, or of what follows an arrow
 Told: TypeAlias = Callable[[Directive], None]  # who is told of each directive as soon as it is read
 
@@ -102,13 +105,30 @@ def alternatives(condition: Condition, places: Places, parser: ConditionParser) 
     """A body in disjunctive normal form: alternatives, each a list of literals in the author's order.
 
     What is negated as a whole, and ``(C -> T ; E)``, stays one literal: `kb.program.control` takes it apart.
+
+    Raises:
+        ReadError: there are too many of them.
     """
+    if _number_of_alternatives(condition) > MOST_ALTERNATIVES:
+        parser.refuse(parser.starts[0], TOO_MANY)
+    return _alternatives(condition, places, parser)
+
+
+def _alternatives(condition: Condition, places: Places, parser: ConditionParser) -> list[list[Literal]]:
     if condition.shape == "or" and all(part.shape != "then" for part in condition.parts):
-        return [body for part in condition.parts for body in alternatives(part, places, parser)]
+        return [body for part in condition.parts for body in _alternatives(part, places, parser)]
     if condition.shape == "and":
-        parts = [alternatives(part, places, parser) for part in condition.parts]
+        parts = [_alternatives(part, places, parser) for part in condition.parts]
         return [[literal for part in choice for literal in part] for choice in product(*parts)]
     return [[_literal(condition, places, parser)]]
+
+
+def _number_of_alternatives(condition: Condition) -> int:
+    """How many clauses `alternatives` makes of a body."""
+    counts = [_number_of_alternatives(part) for part in condition.parts] if condition.shape in ("and", "or") else []
+    if condition.shape == "or" and all(part.shape != "then" for part in condition.parts):
+        return sum(counts)
+    return prod(counts) if condition.shape == "and" else 1
 
 
 def _literal(condition: Condition, places: Places, parser: ConditionParser, negated: bool = False) -> Literal:

@@ -162,6 +162,12 @@ def test_alternatives_in_a_body_are_several_clauses():
     assert read_text("p :- a, (b ; c).") == read_text("p :- a, b. p :- a, c.")
 
 
+def test_a_body_with_endless_alternatives_is_refused_before_they_are_made():
+    body = ", ".join(f"(a{at} ; b{at})" for at in range(40))
+    with pytest.raises(ReadError, match=r"this body has more than 10,000 alternatives; give groups"):
+        read_text(f"p :- {body}.")
+
+
 def test_brackets_around_a_whole_body_say_nothing():
     assert read_text("p :- ((a, (b))).") == read_text("p :- a, b.")
 
