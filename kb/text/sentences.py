@@ -18,7 +18,7 @@ from casper.kb.text.parsing.conditions import Condition, ConditionParser
 from casper.kb.text.parsing.places import Places
 
 MOST_ALTERNATIVES = 10_000  # of one body
-TOO_MANY = f"this body has more than {MOST_ALTERNATIVES:,} alternatives; give groups of them names, by rules of their own"
+TOO_MANY = f"this body has more than {MOST_ALTERNATIVES:,} alternatives; give groups of them names, as rules"
 _TOP = 1199  # the highest priority of a head, or of what follows an arrow
 Told: TypeAlias = Callable[[Directive], None]  # who is told of each directive as soon as it is read
 
