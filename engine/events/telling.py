@@ -9,7 +9,7 @@ from casper.engine.events.phrases import PHRASES
 from casper.kb.errors import CasperError
 from casper.kb.reasons.phrases import phrased
 from casper.kb.reasons.says import SILENT, Words
-from casper.kb.terms.terms import Compound
+from casper.kb.terms.terms import Compound, Term
 from casper.kb.text.reader import read_statement
 
 
@@ -32,6 +32,10 @@ class Telling:
     def name(self, text: str) -> str:
         """How an agent or a thing is called."""
         return self.words.text(text) if self.words else text
+
+    def thing(self, value: Term) -> str:
+        """How a value is called."""
+        return self.words.text(value)
 
     def statement(self, text: str) -> str:
         """A statement, agent included, in words; as it is where nobody worded it."""

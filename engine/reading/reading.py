@@ -341,14 +341,14 @@ class Reading(Shown):
         plans, mismatches = self.library.ways, self._engine.mismatches[level]
         for number in self._numbers[label] if mismatches else ():
             for mismatch in mismatches.get(number, ()):
-                found.update(dict.fromkeys(mismatch.reasons))
+                found.update(dict.fromkeys(mismatch.told(self.tell)))
         if found or not level:
             return tuple(found)
         names = {leaf.functor for number in self._numbers[label] for leaf in plans[number].leaves}
         actions = [option.action for option, _ in options_of(self.observations[level - 1])]
         if not names.intersection(actions):
-            return (f"{label} has no {' or '.join(actions)}",)
-        return (f"no {' or '.join(actions)} is left in {label} after what was observed",)
+            return (self.tell.phrase("no step", self.tell.goal(label), " or ".join(actions)),)
+        return (self.tell.phrase("no step left", self.tell.goal(label), " or ".join(actions)),)
 
 
 def _resumed(

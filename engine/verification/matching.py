@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
+from casper.engine.events.telling import PLAIN, Telling
 from casper.engine.verification.observation import Observation
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, Variable, as_term
@@ -30,6 +31,10 @@ class Mismatch:
     def reasons(self) -> tuple[str, ...]:
         """Why, one sentence each."""
         return ()
+
+    def told(self, tell: Telling) -> tuple[str, ...]:
+        """The same in the author's words, as far as there are any."""
+        return self.reasons
 
 
 @dataclass(frozen=True)
@@ -56,8 +61,12 @@ class Clash(Mismatch):
     @property
     def reasons(self) -> tuple[str, ...]:
         """Why, one sentence each."""
+        return self.told(PLAIN)
+
+    def told(self, tell: Telling) -> tuple[str, ...]:
+        """The same in the author's words, as far as there are any."""
         seen = Compound((self.observation.action, *(self.observation.args or ())))
-        return (_conflict(self.plan, self.plan.leaves[self.leaf], seen, bindings_of(self.plan, self.binding)),)
+        return (_conflict(self.plan, self.plan.leaves[self.leaf], seen, bindings_of(self.plan, self.binding), tell),)
 
 
 class Agents(NamedTuple):
@@ -250,14 +259,16 @@ def binding_of(plan: Plan, bindings: Bindings) -> Binding:
     return tuple(value if is_ground(value) else None for value in values)
 
 
-def _conflict(plan: Plan, wanted: Compound, seen: Compound, known: Bindings) -> str:
+def _conflict(plan: Plan, wanted: Compound, seen: Compound, known: Bindings, tell: Telling) -> str:
     """The first argument that disagrees, in words."""
+    goal = tell.goal(plan.label)
     if len(wanted) != len(seen):
         return f"{wanted.functor} takes {len(wanted) - 1} arguments in {plan.label}"
     for expected, value in zip(wanted.args, seen.args):
         settled = substitute(expected, known)
         if is_ground(settled) and not isinstance(value, Variable) and settled != value:
             if isinstance(expected, Variable):
-                return f"{expected!r} of {plan.label} is {term_text(settled)}, not {term_text(value)}"
-            return f"{plan.label} has {term_text(substitute(wanted, known))}, not {term_text(seen)}"
-    return f"{plan.label} has {term_text(substitute(wanted, known))}, not {term_text(seen)}"
+                return tell.phrase("parameter", repr(expected), goal, tell.thing(settled), tell.thing(value))
+            break
+    steps = (tell.step(term_text(as_term(step))) for step in (substitute(wanted, known), seen))
+    return tell.phrase("other step", goal, *steps)

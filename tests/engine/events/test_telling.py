@@ -59,6 +59,14 @@ def test_questions_are_asked_in_words_and_their_subject_stays_a_term(french):
     assert [str(q) for q in again.questions()] == [str(q) for q in reading.questions()]
 
 
+def test_why_a_goal_is_out_is_told_in_words(french):
+    reading = french.reading()
+    reading.observe("pick_and_place(meal, hobs)")
+    assert "Food de « le petit-déjeuner » : les biscuits, pas le repas" in reading.rejected["breakfast"]
+    reading.observe("sip")
+    assert reading.rejected["lunch"] == ("« le déjeuner » n'a pas d'étape sip",)
+
+
 def test_what_is_yet_to_come_names_nobody_who_may_not_do_it(french):
     reading = french.reading()
     reading.observe("pick_and_place(meal, hobs)")
