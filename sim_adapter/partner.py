@@ -176,11 +176,11 @@ class Partner:
         return bool(self._rest) and self._rest[0].by == self._robot
 
     def _go_on(self) -> None:
-        """Do all up to the next step of somebody else, then stand aside; where there are others, at the end, too."""
+        """Do all up to the next step of somebody else, then stand aside; at the end, too, where others must get by."""
         own = []
         while self._rest and self._is_own(self._rest[0]):
             own.append(self._rest.popleft().step)
-        aside = own and (self._rest or len(self.simulation.people) > 1)
+        aside = own and (self._rest or self.now.left or len(self.simulation.people) > 1)
         self.human.do([*own, Step("stand_aside")] if aside else own)
 
     def _was_done(self, scripted: ScriptedAction, robot_did: Iterable[Compound]) -> bool:

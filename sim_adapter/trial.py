@@ -5,7 +5,7 @@ partner (script) -> physics -> sensor -> world state -> mind -> events -> robot 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -122,8 +122,12 @@ class Trial:
         while self.simulation.time < longest:
             self.simulation.advance(period)
             now = self.simulation.time
-            yield from self._watched()
-            yield from self.helper.update(list(self.minds.minds.values()), now)
+            told = self.minds.update(self.simulation.observe())
+            yield from told
+            self._heard(told)
+            did = list(self.helper.update(list(self.minds.minds.values()), now))
+            yield from did
+            self._heard(did)
             for partner in self.partners.values():
                 partner.notice(now, self.helper.finished)
                 self._go_on(partner)
@@ -136,10 +140,8 @@ class Trial:
         yield from self.minds.end(self.simulation.time)
         yield self._summary()
 
-    def _watched(self) -> Iterator[Event]:
-        """One world state; the partners hear what the robot announces and withdraws."""
-        told = self.minds.update(self.simulation.observe())
-        yield from told
+    def _heard(self, told: Sequence[Event]) -> None:
+        """The partners hear what the robot announces and withdraws."""
         for name, partner in self.partners.items():
             types = {event.type for event in told if name in (event.data.get("partner"), event.data.get("agent"))}
             mind = self.minds.minds.get(name)

@@ -3,7 +3,7 @@
 example(valid, eat(rosa, bowl, tray)).
 example(valid, pick_and_place(robin, pills, drawer)).
 example(invalid, pick_and_place(robin, pills, saucer), "a robot lays out no medicine").
-example(invalid, eat(robin, bowl, tray), "robin is not a human").
+example(invalid, eat(robin, bowl, tray), "Robin is not a person").
 
 % Medicine looks back: was there something to eat, was the pressure measured, and was that not too long ago?
 example(invalid, take(rosa, pills, saucer), "on an empty stomach").

@@ -13,6 +13,7 @@ from typing import Any, TypeAlias
 
 from casper.engine.events.printing import plan_lines
 from casper.engine.explanation.situation import Situation
+from casper.engine.verification.matching import ROBOT
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.lines import Line, Shown, one_line, text_of
@@ -69,7 +70,8 @@ Capability: TypeAlias = Callable[[Situation, int, str], tuple[Compound, bool]]
 def collaborative_plan(agent: str, situation: Situation, capability: Capability) -> CollaborativePlan:
     """The agent's part in finishing a plan: the longest run of its frontier that the agent can do.
 
-    It waits for no optional part that was not begun: it may never come.
+    It waits for no optional part that was not begun: it may never come. What the plan leaves to the agent alone it does
+    as soon as that is due, however short the run is: nobody else would, and the others wait for it.
     """
     before = situation.plan.chart.before
     actions: dict[int, Compound] = {}
@@ -79,13 +81,16 @@ def collaborative_plan(agent: str, situation: Situation, capability: Capability)
         if can:
             able.append(leaf)
     others = [leaf for leaf in actions if leaf not in able and situation.belonging >> leaf & 1]
-    run = longest_run(able, others, before)
+    own = next((leaf for leaf in able if situation.plan.actions[leaf].by in (ROBOT, agent)), None)
+    run = longest_run(able, others, before, own)
     needed = _union(before[leaf] for leaf in run) if run else -1  # nothing to do: everything is left to the partner
     awaited = [leaf for leaf in actions if (needed & situation.belonging) >> leaf & 1 and leaf not in run]
     return _plan(agent, situation.goal, [(a, actions[a]) for a in awaited], [(a, actions[a]) for a in run])
 
 
-def longest_run(able: Sequence[int], others: Sequence[int], before: Sequence[int]) -> tuple[int, ...]:
+def longest_run(
+    able: Sequence[int], others: Sequence[int], before: Sequence[int], own: int | None = None
+) -> tuple[int, ...]:
     """The most leaves of ``able`` found that can be done in one go once some of the ``others`` are done.
 
     Of two equally long runs the one that more comes before: the partner is least disturbed, and the agent has most
@@ -95,13 +100,15 @@ def longest_run(able: Sequence[int], others: Sequence[int], before: Sequence[int
         able: the open leaves that the agent can do, in order.
         others: the open leaves that it cannot do.
         before: per leaf of the plan the mask of those that come before it.
+        own: an able leaf that must be in the run.
     """
     theirs = _union(1 << leaf for leaf in others)
     best: tuple[int, int, tuple[int, ...]] = (0, 0, ())
     for done in _stages(able, theirs, before):
         past = _union(before[leaf] for leaf in others if done >> leaf & 1)
         run = tuple(leaf for leaf in able if not (before[leaf] & theirs & ~done or past >> leaf & 1))
-        best = max(best, (len(run), done.bit_count(), run))
+        if own is None or own in run:
+            best = max(best, (len(run), done.bit_count(), run))
     return best[2]
 
 

@@ -57,6 +57,11 @@ class Reads(Protocol):
     def plan_for(self, agent: str, explanation: Explanation | Interleaved, /) -> CollaborativePlan | None:
         """The agent's part in it."""
 
+    def next_part(
+        self, agent: str, explanation: Explanation | Interleaved, done: CollaborativePlan, /
+    ) -> CollaborativePlan | None:
+        """The agent's part in what comes after one that it has done."""
+
 
 class Supervisor:
     """Turns a reading's outcome into a plan and keeps the plan in step with what the partner does.
@@ -89,6 +94,21 @@ class Supervisor:
     def did(self, action: Compound) -> None:
         """The robot has done one of the actions it announced."""
         self.done.append(action)
+
+    def goes_on(self, t: float) -> list[Event]:
+        """The robot has done a part that the plan leaves to it alone, and others were waiting for: what it does next.
+
+        Nothing when its part was the last one; then the goal is reached.
+        """
+        made = self.commitment
+        explanation = None if made is None else self.reading.best_of(made.goal)
+        if made is None or explanation is None or self.robot is None:
+            return []
+        plan = self.reading.next_part(self.robot, explanation, made.plan)
+        if plan is None:
+            return []
+        self.commitment = replace(made, explanation=explanation, plan=plan)
+        return list(self._announce(plan, t))
 
     def update(self, t: float) -> Iterator[Event]:
         """Look at the reading after an observation; yields ``prediction`` and ``plan`` events where things changed."""

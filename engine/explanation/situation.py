@@ -30,6 +30,10 @@ class Situation:
         chart = plan.chart
         return cls(plan, closed, binding, closed & chart.certain(closed))
 
+    def after(self, leaves: int) -> Situation:
+        """The same with more leaves done: their mask."""
+        return Situation(self.plan, self.closed | leaves, self.binding, self.done | leaves)
+
     @property
     def goal(self) -> str:
         """The goal's label."""

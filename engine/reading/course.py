@@ -125,7 +125,10 @@ class Course:
         if episode is not None:
             episode.supervisor.did(action)
             if not episode.supervisor.left:
-                yield from self._close(episode, FINISHED, t)
+                coming = episode.supervisor.goes_on(t)
+                yield from (event.about(self.partner) for event in coming)
+                if not coming:
+                    yield from self._close(episode, FINISHED, t)
 
     def failed(self, action: Compound, t: float) -> Iterator[Event]:
         """The robot could not do an action that it had announced, and gives its part up."""

@@ -24,7 +24,7 @@ from casper.engine.reading.printing import reading_lines, reading_name
 from casper.engine.reading.questions import Question, in_words, questions
 from casper.engine.recognition.choice import recogniser
 from casper.engine.recognition.options import PAPER, Options
-from casper.engine.verification.matching import NOBODY, Agents, Matcher, NameMatcher, Recipe
+from casper.engine.verification.matching import NOBODY, ROBOT, Agents, Matcher, NameMatcher, Recipe
 from casper.engine.verification.observation import Observed, Seen, at_time, options_of, seen_of
 from casper.engine.verification.vocabulary import Foreign, Vocabulary
 from casper.kb.errors import CasperError
@@ -263,6 +263,23 @@ class Reading(Shown):
             return None
         plans = [collaborative_plan(agent, part.situation, self._capability) for part in chosen.parts]
         return max(plans, key=lambda plan: len(plan.actions))
+
+    def next_part(
+        self, agent: str, explanation: Explanation | Interleaved, done: CollaborativePlan
+    ) -> CollaborativePlan | None:
+        """What the agent can do after a part that it has done, where others have waited for that; else None.
+
+        None, too, where the part was one that anybody could have done: the goal is taken to be reached with it.
+        """
+        part = next((part for part in explanation.parts if part.goal == done.goal), None)
+        if part is None:
+            return None
+        plan, mask = part.situation.plan, sum(1 << leaf for leaf in done.leaves)
+        after = part.situation.after(mask)
+        waited_for = any(plan.chart.before[leaf] & mask for leaf in after.open_leaves if after.belonging >> leaf & 1)
+        if not waited_for or not any(plan.actions[leaf].by in (ROBOT, agent) for leaf in done.leaves):
+            return None
+        return collaborative_plan(agent, after, self._capability)
 
     # --- what is likely to come ------------------------------------------------------------------------------------
 

@@ -36,8 +36,8 @@ def build_spec(scene: Scene) -> Any:
     spec.visual.map.znear = 0.01
     add_room(spec, scene)
     add_things(spec, scene)
-    for person in scene.people:
-        add_human(spec, person)
+    for number, person in enumerate(scene.people):
+        add_human(spec, person, number)
     add_robot(spec, scene)
     for agent in (*scene.people, scene.robot):
         for thing in scene.movables:

@@ -44,3 +44,17 @@ def test_somebody_else_is_asked_for_their_step_when_its_time_has_come(tmp_path):
         partner.notice(simulation.time)
         assert bob.idle or [step.target for step in partner.human.done if step.target] == ["book"]
     assert [step.target for step in bob.done] == ["cup"] and simulation.rests_in("cup", "tray")
+
+
+def test_a_step_that_only_the_robot_does_is_waited_for_and_the_plan_goes_on(tmp_path):
+    for file in ("ontology.pl", "actions.pl", "scene.pl"):
+        (tmp_path / file).write_text((SHIPPED / "minimal" / file).read_text())
+    robots = "by(robot, pick_and_place(book, shelf))"
+    (tmp_path / "plans.pl").write_text(
+        f"tea --> pick_and_place(cup, tray), {robots}, drink(cup, tray), pick_and_place(cup, shelf)."
+    )
+    events = list(Trial(Domain.load(tmp_path), TrialSettings("tea", 1)).events())
+    plans = [(event.data["waiting"], event.data["actions"]) for event in events if event.type == "plan"]
+    assert plans[:2] == [([], ["pick_and_place(book, shelf)"]), (["drink(cup, tray)"], ["pick_and_place(cup, shelf)"])]
+    assert events[-1].data["correct"] and events[-1].data["robot"]["done"]
+    assert [event.data["outcome"] for event in events if event.type == "episode"] == ["finished"]

@@ -25,6 +25,13 @@ def test_the_longest_run_waits_for_all_that_it_needs(able, others, before, run):
     assert longest_run(able, others, before) == run
 
 
+def test_a_leaf_of_the_agents_own_is_in_the_run_however_short_that_is():
+    before = [0, 0b1, 0b11, 0b111, 0b1111]
+    assert longest_run([1, 3, 4], [0, 2], before) == (3, 4)
+    assert longest_run([1, 3, 4], [0, 2], before, own=1) == (1,)
+    assert longest_run([1, 3, 4], [0, 2], before, own=4) == (3, 4)
+
+
 def test_what_was_done_since_is_left_out():
     (plan,) = PlanLibrary.from_text("goal(g). g --> a, b, c, d.").ways
     a, b, c, d = plan.leaves

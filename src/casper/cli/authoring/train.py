@@ -10,6 +10,7 @@ import typer
 from casper.cli.terminal.options import AsJson, DomainName, Quiet
 
 if TYPE_CHECKING:
+    from casper.engine.domain.domain import Domain
     from casper.engine.movements.tree import Evaluation
     from casper.kb.errors import CasperError
 
@@ -55,6 +56,7 @@ def train(
     if (reason := unwritable(file)) is not None:
         raise _unwritten(file, reason)
     check_learning(leaves, seed)
+    _check_own(loaded, file)
     samples = []
     with progress("trials", trials, quiet) as at:
         for sample in training_samples(loaded, trials, seed):
@@ -79,6 +81,27 @@ def train(
         )
     else:
         _show(evaluation, len(samples), trials, file)
+
+
+def _check_own(domain: Domain, file: Path) -> None:
+    """See that what is learned will be the domain's only movements.
+
+    Raises:
+        DomainError: it takes over others elsewhere than in the file that is written, with the place of the line.
+    """
+    from casper.engine.domain.domain import SHIPPED
+    from casper.kb.errors import DomainError
+    from casper.kb.terms.clauses import Clause
+    from casper.kb.text.sources import Sources
+
+    written = domain.folder / file.name
+    if file.parent.resolve() != domain.folder.resolve() or not domain.kb.clauses_of(("movement", 5)):
+        return
+    own = Sources((SHIPPED,)).sentences(written) if written.is_file() else []
+    if not any(isinstance(sentence, Clause) and sentence.head.indicator == ("movement", 5) for sentence in own):
+        place = domain.kb.clauses_of(("movement", 5))[0].place
+        advice = 'include household/actions.pl instead of household.pl, and write :- include("household/movements.pl").'
+        raise DomainError(f"the movements are taken over from {place.file}: {advice} into movements.pl first")
 
 
 def _train_prices(domain: str, files: list[Path], output: Path | None, quiet: bool, as_json: bool) -> None:
