@@ -32,9 +32,11 @@ font:13px/1.5 system-ui,sans-serif;color:inherit;max-width:60em}
 .casper code,.casper pre,.casper svg text{font:12px/1.5 ui-monospace,"DejaVu Sans Mono",Menlo,Consolas,monospace}
 .casper code,.casper pre{background:none;color:inherit;padding:0;margin:0;border:0;white-space:pre-wrap}
 .casper .strong,.casper h4{font-weight:600}.casper h4{font-size:13px;margin:.2em 0}.casper p{margin:.3em 0}
-.casper .faint{color:var(--faint)}.casper .good,.casper .outcome{color:var(--good)}.casper .outcome{font-weight:600}
-.casper .bad,.casper .error{color:var(--bad)}.casper .warning,.casper .grasp{color:var(--warn)}
-.casper .share,.casper .note,.casper .walk{color:var(--share)}
+.casper .faint{color:var(--faint)}.casper .outcome{font-weight:600}
+.casper .good,.casper .outcome{color:color-mix(in srgb,var(--good) 70%,currentColor)}
+.casper .bad,.casper .error{color:color-mix(in srgb,var(--bad) 70%,currentColor)}
+.casper .warning,.casper .grasp{color:color-mix(in srgb,var(--warn) 70%,currentColor)}
+.casper .share,.casper .note,.casper .walk{color:color-mix(in srgb,var(--share) 70%,currentColor)}
 .casper table{border-collapse:collapse;border:0;margin:.3em 0;font-size:13px;display:table}
 .casper tr,.casper tbody tr:nth-child(odd){background:none}
 .casper td,.casper th{padding:.1em .7em .1em 0;border:0;text-align:left;vertical-align:top;min-width:0;
