@@ -51,8 +51,8 @@ def check_computable(literal: Literal) -> None:
             function, _, arity = name.rpartition("/")
             known = {n for n, a in FUNCTIONS if a == int(arity)} if arity != "0" else set(CONSTANTS)
             close = get_close_matches(function, sorted(known), n=1)
-            hint = f"; did you mean {close[0]}?" if close else ""
-            raise ProgramError(f"nothing computes {name}{hint}", literal.place if literal.place.line else None)
+            hint = f"did you mean {close[0]}?" if close else "write a number, a variable or a function of arithmetic"
+            raise ProgramError(f"nothing computes {name}; {hint}", literal.place if literal.place.line else None)
 
 
 def undefined_sentence(indicator: Indicator, known: Collection[Indicator]) -> str:

@@ -151,6 +151,8 @@ def _mistake(mistake: Exception, content: bytes, file: str, syntax: str) -> Read
         line, said = mistake.getLineNumber() or 0, mistake.getMessage()  # type: ignore[attr-defined]
     elif isinstance(getattr(mistake, "lines", None), int):  # Turtle
         line, said = mistake.lines + 1, str(getattr(mistake, "_why", "") or said)  # type: ignore[attr-defined]
+    elif isinstance(mistake, IndexError):  # Turtle, where the text ends within a name
+        line, said = lines, "it ends in the middle of something"
     elif syntax == "nt":
         line = _faulty_line(content)
     ends = line >= lines

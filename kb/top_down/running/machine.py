@@ -50,23 +50,29 @@ class Machine(Workspace):
         """
         self.engines.append(Engine(Strand(body, frame, None, doubt)))
         while self.engines:
-            engine = self.engines[-1]
-            if not engine.queue:
-                self.finish(engine)
-                continue
-            strand = engine.queue.popleft()
             outer, METER.look = METER.look, self.look  # what large terms cost is this search's
             try:
-                event = self._run(strand)
+                is_answered = self._advance()
             finally:
                 METER.look = outer
-            if event == TIRED:
-                self._rest(strand, engine)
-            elif event == ANSWERED:
-                engine.queue.appendleft(strand)
+            if is_answered:
                 yield self.answer
-            elif event == PROVED:
-                self.settle(engine, True)
+
+    def _advance(self) -> bool:
+        """Let one strand have its turn; whether that gave an answer."""
+        engine = self.engines[-1]
+        if not engine.queue:
+            self.finish(engine)
+            return False
+        strand = engine.queue.popleft()
+        event = self._run(strand)
+        if event == TIRED:
+            self._rest(strand, engine)
+        elif event == ANSWERED:
+            engine.queue.appendleft(strand)
+        elif event == PROVED:
+            self.settle(engine, True)
+        return event == ANSWERED
 
     def _rest(self, strand: Strand, engine: Engine) -> None:
         """Look at the clock; where the strand's turn is over, part it and let the others go on."""

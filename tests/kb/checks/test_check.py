@@ -269,9 +269,11 @@ def test_a_rule_that_cites_where_it_comes_from_needs_no_cases():
     rules = "cat(tom). :- dynamic(p/0). big(X) :- cat(X), X \\= tom."
     assert any("gives nothing" in str(f) for f in check_text(rules))
     assert not any("gives nothing" in str(f) for f in check_text(f"{rules}  %: Big SubClassOf Cat"))
+
+
 def test_an_expression_that_nothing_computes_is_told_with_what_may_have_been_meant():
     found = [f.message for f in check_text("n(1). p(X) :- n(Y), X is sqr(Y). q(X) :- n(X), X < a.")]
-    assert found[:2] == ["nothing computes sqr/1; did you mean sqrt?", "nothing computes a/0"]
+    assert found[:2] == ["nothing computes sqr/1; did you mean sqrt?", "nothing computes a/0; write a number, a variable or a function of arithmetic"]
 
 
 def test_facts_that_may_break_a_constraint_are_told():

@@ -50,6 +50,11 @@ def test_deep_nesting_is_refused():
         imported_text(functional(f"SubClassOf(:A {'ObjectComplementOf(' * 20_000}:B{')' * 20_000})"), "ofn")
 
 
+def test_a_file_that_ends_within_a_name_is_told_to_be_cut_short():
+    with pytest.raises(ReadError, match=r":2: this cannot be read .*cut short"):
+        imported_text('@prefix x: <http://z.org/> .\nx:a x:p "2"^^x:nonN', "ttl")
+
+
 ENTITIES = '<!DOCTYPE x [<!ENTITY a "aaaaaaaaaa">' + "".join(
     f'<!ENTITY {chr(98 + n)} "{f"&{chr(97 + n)};" * 10}">' for n in range(9)
 ) + "]>"
