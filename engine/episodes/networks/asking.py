@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from casper.engine.episodes.networks.terms import Env, Slot, numbered, outward, resolve, slots_of, unified
+from casper.engine.episodes.networks.items.terms import Env, Slot, numbered, outward, resolve, slots_of, unified
 from casper.engine.episodes.past import Past, with_statement
 from casper.engine.verification.conditions import Conditions
 from casper.engine.verification.history import Done, in_order
