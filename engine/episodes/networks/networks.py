@@ -322,7 +322,7 @@ class Networks:
         """Whether a leaf is the agent's to do, and the knowledge base knows that it can; without one nobody can."""
         who = self.robot if leaf.by == ROBOT and self.robot is not None else leaf.by
         others = who is not None and who.__class__ is not Slot and who != agent
-        return self.asking.kb is not None and not others and not self.asking.refusal(leaf.action, agent)
+        return not others and self.asking.may(leaf.action, agent)
 
     def tree(self, goal: int, history: Sequence[Taken[State]]) -> nx.DiGraph:
         """The goal with its tasks, the leaves that were observed and a smallest rest (attributes: `plans.trees.tree`).
