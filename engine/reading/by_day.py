@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from casper.engine.reading.reading import Reading
-from casper.engine.reading.segments import Begins, BySight, GoesOn, LeftOut, Placed, because_of, refusal_of
+from casper.engine.reading.segments import Begins, GoesOn, LeftOut, Placed, because_of, refusal_of
 from casper.engine.reading.underway import Underway
 from casper.engine.verification.observation import Observation, Seen
 from casper.kb.terms.terms import Compound
@@ -59,11 +59,9 @@ class ByDay:
     ) -> None:
         self._day, self._agent, self._fresh = day, agent, fresh
         self._seen = deque[tuple[int, Seen]](maxlen=REMEMBERED) if seen is None else seen
-        self._sight = BySight(fresh)
 
     def closed(self, episode: Underway) -> None:
-        """Its steps may be seen once more."""
-        self._sight.closed(episode)
+        """Of no matter: the day knows what is over."""
 
     def did(self, action: Compound, robot: str, t: float) -> None:
         """The robot's actions belong to the day, too."""

@@ -17,7 +17,11 @@ def done(plans: str, goal: str = "g") -> list[str]:
 
 
 def test_what_one_step_settles_the_others_share() -> None:
-    assert done("goal(g). g --> fill(C, table), put(C, S), wash(C, S).") == ["fill(mug, table)", "put(mug, sink)", "wash(mug, sink)"]
+    assert done("goal(g). g --> fill(C, table), put(C, S), wash(C, S).") == [
+        "fill(mug, table)",
+        "put(mug, sink)",
+        "wash(mug, sink)",
+    ]
 
 
 def test_plans_that_are_not_listed_are_acted_out_the_shortest_way() -> None:
@@ -43,4 +47,6 @@ def test_what_nobody_can_do_is_told() -> None:
 
 def test_a_goal_that_is_none_is_told_with_those_there_are() -> None:
     with pytest.raises(DomainError, match="there is no goal 'h': choose g"):
-        done("goal(g). g --> put(C, table), more(C). more(C) --> wash(C, sink). more(C) --> put(C, sink), more(C).", "h")
+        done(
+            "goal(g). g --> put(C, table), more(C). more(C) --> wash(C, sink). more(C) --> put(C, sink), more(C).", "h"
+        )

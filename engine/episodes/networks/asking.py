@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from casper.engine.episodes.networks.terms import Env, Slot, numbered, outward, resolve, slots_of, unified
+from casper.engine.episodes.networks.items.terms import Env, Slot, numbered, outward, resolve, slots_of, unified
 from casper.engine.episodes.past import Past, with_statement
 from casper.engine.verification.conditions import Conditions
 from casper.engine.verification.history import Done, in_order
@@ -59,7 +59,7 @@ class Asking:
             self._groups: dict[tuple[Asked, ...], bool | None] = {}
             self._joined: dict[Any, Env | Failed] = {}
             self._domains: dict[Asked, dict[Any, frozenset[Any]]] = {}
-            self._verdicts: dict[tuple[int, str, Any], tuple[str, ...]] = {}
+            self._verdicts: dict[tuple[int, str, Any], tuple[bool | None, tuple[str, ...]]] = {}
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Asking, (self.kb, self.past, self._before, self._gone)
@@ -95,7 +95,7 @@ class Asking:
             self.past.pop()
             self._joined, self._domains, self.closing, self._groups, self._plain = {}, {}, {}, {}, {}
             self._known = {key: answer for key, answer in self._known.items() if key[0] <= self.now}
-            self._verdicts = {key: reasons for key, reasons in self._verdicts.items() if key[0] <= self.now}
+            self._verdicts = {key: told for key, told in self._verdicts.items() if key[0] <= self.now}
 
     def _history(self, moment: int) -> Past:
         """What was done before the moment; at the first one, nothing."""
@@ -272,14 +272,23 @@ class Asking:
         """Why the agent cannot have done the action; nothing where it can, or where nobody knows."""
         if self.kb is None or agent is None:
             return ()
+        valid, reasons = self._judged(action, agent)
+        return reasons if valid is False else ()
+
+    def may(self, action: Any, agent: str) -> bool:
+        """Whether it is known that the agent can do the action now."""
+        return self.kb is not None and self._judged(action, agent)[0] is True
+
+    def _judged(self, action: Any, agent: str) -> tuple[bool | None, tuple[str, ...]]:
+        """What the knowledge base says of the action now (None: it is not known), and why not."""
         key = (self.now if self.looks_back else 0, agent, numbered(action, {}, {}))
         found = self._verdicts.get(key)
         if found is None:
+            assert self.kb is not None
             if len(self._verdicts) > MOST_REMEMBERED:
                 self._verdicts.clear()
-            statement = outward((action[0], agent, *key[2][1:]))
-            verdict = self.kb.verify(statement, self._history(self.now))
-            found = self._verdicts[key] = verdict.reasons if verdict.valid is False else ()
+            verdict = self.kb.verify(outward((action[0], agent, *key[2][1:])), self._history(self.now))
+            found = self._verdicts[key] = verdict.valid, verdict.reasons
         return found
 
 

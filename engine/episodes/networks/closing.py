@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator
 from typing import Any, TypeAlias
 
 from casper.engine.episodes.networks.asking import Asked, Asking, Failed
-from casper.engine.episodes.networks.methods import Methods
-from casper.engine.episodes.networks.terms import (
+from casper.engine.episodes.networks.items.methods import Methods
+from casper.engine.episodes.networks.items.terms import (
     CALL,
     LINK,
     PAR,

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from casper.engine.episodes.networks.asking import Asking, Failed
-from casper.engine.episodes.networks.compiling import indicator
-from casper.engine.episodes.networks.methods import Methods
-from casper.engine.episodes.networks.terms import (
+from casper.engine.episodes.networks.asking import Asked, Asking, Failed
+from casper.engine.episodes.networks.items.compiling import indicator
+from casper.engine.episodes.networks.items.methods import Methods
+from casper.engine.episodes.networks.items.terms import (
     ACT,
     ALT,
     CALL,
@@ -41,11 +42,11 @@ class Frontier:
     """The smallest rest of a row of items, with what its methods say of parameters.
 
     Of a task the first method is taken that is smallest by the grammar's table and whose conditions are not known to
-    fail; a part that may be left out is left out.
+    fail, nor to make one of those fail that are ``open``; a part that may be left out is left out.
     """
 
-    def __init__(self, methods: Methods, asking: Asking, row: Row) -> None:
-        self.methods, self.asking = methods, asking
+    def __init__(self, methods: Methods, asking: Asking, row: Row, open_: Sequence[Asked] = ()) -> None:
+        self.methods, self.asking, self.open = methods, asking, tuple(open_)
         self.env: Env = {}
         self.fresh = len(slots_of(row, {}))
         self.found: list[Leaf] = []
@@ -89,9 +90,9 @@ class Frontier:
     def _ask(self, relation: Any) -> int:
         """Take over what a condition settles; one that fails, or is open, is left alone: much may change till then."""
         if self.asking.kb is not None:
-            settled = self.asking.settled((self.asking.due(relation),), self.env)
+            settled = self.asking.settled((self.asking.due(relation), *self.open), self.env)
             if not isinstance(settled, Failed):
-                self.env = settled[0]
+                self.env, self.open = settled
         return 0
 
     def _group(self, item: Any, before: int, deep: int) -> int:
@@ -127,8 +128,9 @@ class Frontier:
         _, target, begun, moment = item
         goal, mask = indicator(target), 0
         closed = unified(target, begun, self.env)
-        if deep >= MOST_DEEP or (closed is not None and indicator(begun) == goal):
-            self.env = closed or self.env
+        fits = closed is not None and indicator(begun) == goal and not self._obstacles((), closed)
+        if deep >= MOST_DEEP or fits:
+            self.env = closed if fits and closed is not None else self.env
             return 0
         ways: list[tuple[float, int, Row, Env]] = []
         for number, corner in enumerate(self.methods.corners.of.get(indicator(begun), ())):
@@ -153,5 +155,5 @@ class Frontier:
             if item[0] is not COND:
                 break
             due.append(self.asking.due(item[1]))
-        settled = self.asking.settled(due, env)
+        settled = self.asking.settled((*due, *self.open), env)
         return 1e9 if isinstance(settled, Failed) else 0.0

@@ -12,10 +12,9 @@ from collections.abc import Iterator
 from typing import Any, TypeAlias
 
 from casper.engine.episodes.networks.asking import Asking
-from casper.engine.episodes.networks.compiling import indicator, left_of
-from casper.engine.episodes.networks.methods import Methods
-from casper.engine.episodes.networks.passing import Grown, Passed, Passing, Taken, closed_of
-from casper.engine.episodes.networks.terms import (
+from casper.engine.episodes.networks.items.compiling import indicator, left_of
+from casper.engine.episodes.networks.items.methods import Methods
+from casper.engine.episodes.networks.items.terms import (
     ACT,
     ALT,
     CALL,
@@ -33,6 +32,7 @@ from casper.engine.episodes.networks.terms import (
     slots_of,
     unified,
 )
+from casper.engine.episodes.networks.passing import Grown, Passed, Passing, Taken, closed_of
 from casper.engine.verification.matching import ROBOT
 from casper.kb.terms.clauses import Indicator
 from casper.kb.terms.syntax import term_text

@@ -16,11 +16,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from casper.engine.collaboration.collaboration import CollaborativePlan, longest_run
 from casper.engine.episodes.growing import Step, Taken
 from casper.engine.episodes.networks.asking import Asked, Asking, Failed
-from casper.engine.episodes.networks.compiling import indicator
+from casper.engine.episodes.networks.derivation import Done, derivation, drawn
 from casper.engine.episodes.networks.frontier import Frontier, Leaf
 from casper.engine.episodes.networks.growth import FREE, Growth
-from casper.engine.episodes.networks.methods import Methods
-from casper.engine.episodes.networks.terms import (
+from casper.engine.episodes.networks.items.compiling import indicator
+from casper.engine.episodes.networks.items.methods import Methods
+from casper.engine.episodes.networks.items.terms import (
     CALL,
     COND,
     PAR,
@@ -29,9 +30,11 @@ from casper.engine.episodes.networks.terms import (
     Slot,
     interned,
     inward,
+    moved,
     numbered,
     outward,
     slot,
+    slots_of,
 )
 from casper.engine.verification.matching import ROBOT
 from casper.engine.verification.observation import Observation, Seen, options_of
@@ -48,6 +51,7 @@ if TYPE_CHECKING:
 
 MOST_MISSED = 1  # leaves that may go unseen between two observations
 MOST_KEPT = 50_000  # of anything that is remembered of states
+MOST_TOLD = 1_000  # derivations
 
 
 class State(NamedTuple):
@@ -101,6 +105,7 @@ class Networks:
         self._growths: dict[tuple[Observation, str | None, int], Growth] = {}
         self._choices: dict[State, int] = {}
         self._least: dict[Row, int] = {}
+        self._derived: dict[tuple[State, tuple[Compound, ...]], Done | None] = {}
 
     # --- what there is ---------------------------------------------------------------------------------------------
 
@@ -265,7 +270,7 @@ class Networks:
 
     def coming(self, state: State) -> Sequence[Leaf]:
         """A smallest rest: leaves with who does each, and the masks of what comes before."""
-        return Frontier(self.methods, self.asking, state.rest).leaves
+        return Frontier(self.methods, self.asking, state.rest, state.open).leaves
 
     def rest(self, state: State) -> Sequence[Compound]:
         """A smallest rest in an order that the plan allows, bound as far as is known."""
@@ -287,7 +292,7 @@ class Networks:
 
     def __getstate__(self) -> dict[str, Any]:
         """What it was made of: what was worked out is worked out anew where it arrives."""
-        return {**self.__dict__, "_growths": {}, "_choices": {}, "_least": {}, "methods": None}
+        return {**self.__dict__, "_growths": {}, "_choices": {}, "_least": {}, "_derived": {}, "methods": None}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
@@ -317,29 +322,37 @@ class Networks:
         """Whether a leaf is the agent's to do, and the knowledge base knows that it can; without one nobody can."""
         who = self.robot if leaf.by == ROBOT and self.robot is not None else leaf.by
         others = who is not None and who.__class__ is not Slot and who != agent
-        return self.asking.kb is not None and not others and not self.asking.refusal(leaf.action, agent)
+        return not others and self.asking.may(leaf.action, agent)
 
     def tree(self, goal: int, history: Sequence[Taken[State]]) -> nx.DiGraph:
-        """The goal with the leaves that were observed, in order, and a smallest rest (attributes: `plans.trees.tree`).
+        """The goal with its tasks, the leaves that were observed and a smallest rest (attributes: `plans.trees.tree`).
 
-        Which tasks lie between is not decided while they are grown, so none are shown; missed leaves have no node.
+        Which tasks lie between is found again (`derivation`); where that takes too long, or leaves were missed, none
+        are shown. Missed leaves have no node.
         """
-        import networkx as nx
-
         state = history[-1].step.state if history else self.begin(goal)
         rows = [(taken.step.leaf, "observed", taken.agent if taken.step.is_theirs else None) for taken in history]
         rows += [(outward(leaf.action), "unobserved", leaf.by and outward(leaf.by)) for leaf in self.coming(state)]
-        told = self.goal_of(state)
-        tree: nx.DiGraph = nx.DiGraph()
-        common = {"optional": False, "rival": None}
-        shared = "observed" if all(status == "observed" for _, status, _ in rows) else "unobserved"
-        tree.add_node(0, term=_text(told), name=told.functor, kind="goal", leaf=None, status=shared, by=None, **common)
-        for number, (leaf, status, by) in enumerate(rows, 1):
-            who = None if by is None else term_text(by)
-            node = {"term": _text(leaf), "name": leaf.functor, "kind": "action", "leaf": number - 1}
-            tree.add_node(number, **node, status=status, by=who, **common)
-            tree.add_edge(0, number)
-        return tree
+        told = None
+        if not any(taken.step.missed for taken in history):
+            told = self.derived(state, [taken.step.leaf for taken in history])
+        return drawn(told or Done(state.term, tuple(range(len(rows)))), rows)
+
+    def derived(self, state: State, done: Sequence[Compound]) -> Done | None:
+        """The tasks of a goal that these leaves brought to the state, and of a smallest rest; None: none were found."""
+        key = state, tuple(done)
+        if key not in self._derived:
+            if len(self._derived) > MOST_TOLD:
+                self._derived.clear()
+            self._derived[key] = self._derive(*key)
+        return self._derived[key]
+
+    def _derive(self, state: State, done: Sequence[Compound]) -> Done | None:
+        rest = [leaf.action for leaf in self.coming(state)]
+        first = 1 + max(map(int, slots_of((state.term, tuple(rest)), {})), default=-1)
+        free: dict[Variable, Slot] = {}
+        seen = [moved(inward(leaf, free), first) for leaf in done]
+        return derivation(self.methods, self.asking, state.term, [*seen, *rest])
 
     def reasons(self, state: State, seen: Seen, agent: str | None) -> Sequence[str]:
         """Why the instance cannot take the observation."""

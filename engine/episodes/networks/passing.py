@@ -11,9 +11,9 @@ from typing import Any, NamedTuple, TypeAlias
 
 from casper.engine.episodes.networks.asking import Asked, Asking, Failed
 from casper.engine.episodes.networks.closing import Closing
-from casper.engine.episodes.networks.compiling import indicator
-from casper.engine.episodes.networks.methods import Methods
-from casper.engine.episodes.networks.terms import (
+from casper.engine.episodes.networks.items.compiling import indicator
+from casper.engine.episodes.networks.items.methods import Methods
+from casper.engine.episodes.networks.items.terms import (
     ACT,
     ALT,
     CALL,

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from heapq import nlargest
 from typing import Any, NamedTuple, TypeAlias
 
+from casper.engine.episodes.networks.derivation import as_task
 from casper.engine.episodes.networks.networks import Networks, State
 from casper.engine.explanation.explanation import Explanation
 from casper.engine.recognition.kernels.paths import best_first
@@ -197,7 +198,10 @@ class GrownTeller:
         return found[::-1]
 
     def _told(self, backs: Sequence[Back], end: End, score: float, share: float) -> Explanation:
-        """The explanation as of a plain plan: what was observed, what was missed and nobody knows, a smallest rest."""
+        """The explanation as of a plain plan: what was observed, what was missed and nobody knows, a smallest rest.
+
+        Its tasks are found again (`derivation`) where nothing was missed, and it was done in the order of the plan.
+        """
         actions: list[Action] = []
         marks: list[int] = []
         for back in backs:
@@ -208,6 +212,10 @@ class GrownTeller:
         for leaf in self.networks.leaves_left(end[0]):
             actions.append(leaf)
         label = self.networks.goals[end[0].goal]
-        plan = Plan(label, Task(self.networks.goal_of(end[0]), tuple(actions)))
+        root = Task(self.networks.goal_of(end[0]), tuple(actions))
+        if not end[1]:
+            found = self.networks.derived(end[0], [back.leaf for back in backs if back.leaf is not None])
+            root = (found and as_task(found, actions)) or root
+        plan = Plan(label, root)
         needless = tuple(at for at, back in enumerate(backs) if back.leaf is None)
         return Explanation(plan, tuple(marks), (None,) * len(plan.variables), score, share, needless)

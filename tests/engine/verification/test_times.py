@@ -73,6 +73,15 @@ def test_the_robot_does_nothing_of_which_that_is_not_known() -> None:
     assert reading.plan_for("rob").actions == ()
 
 
+def test_a_robot_in_unlisted_plans_waits_too() -> None:
+    plans = "goal(care). care --> eat, more, take(pills), by(robot, offer). more --> drink. more --> drink, more."
+    known, unknown = (Domain.from_text(ontology=ONTOLOGY, plans=plans).day() for _ in range(2))
+    for t, action in enumerate(("eat", "drink", "take(pills)")):
+        unknown.observe(action)
+        known.observe(action, 60.0 * t)
+    assert unknown.plan_for("rob").actions == ()
+
+
 def test_times_come_along_to_other_processes(reading: Any) -> None:
     import pickle
 

@@ -4,7 +4,20 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from casper.engine.episodes.networks.terms import ACT, ALT, CALL, COND, OPT, PAR, REP, SEQ, Row, Slot, inward, slot
+from casper.engine.episodes.networks.items.terms import (
+    ACT,
+    ALT,
+    CALL,
+    COND,
+    OPT,
+    PAR,
+    REP,
+    SEQ,
+    Row,
+    Slot,
+    inward,
+    slot,
+)
 from casper.kb.terms.clauses import Indicator
 from casper.kb.terms.terms import Variable
 from casper.plans.networks.grammar import Call, Group, Item

@@ -7,12 +7,13 @@ name can be observed in it: what is further than the misses that are allowed is 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from math import inf
 from typing import Any
 
-from casper.engine.episodes.networks.compiling import Compiled, compiled, indicator
-from casper.engine.episodes.networks.corners import Corners
-from casper.engine.episodes.networks.terms import (
+from casper.engine.episodes.networks.items.compiling import Compiled, compiled, indicator
+from casper.engine.episodes.networks.items.corners import Corners
+from casper.engine.episodes.networks.items.terms import (
     ACT,
     ALT,
     CALL,
@@ -110,6 +111,40 @@ class Methods:
     def least_of_row(self, row: Row) -> float:
         """The fewest leaves that a row of items can be done with."""
         return sum([self.least_of(item) for item in row])
+
+    # --- what cannot be done without ---------------------------------------------------------------------------------
+
+    @cached_property
+    def needed(self) -> Mapping[Indicator, frozenset[Indicator]]:
+        """By task the actions that every way to do it has, by name and arity: the greatest fixpoint."""
+        every = frozenset(self.tables.bit)
+        known = dict.fromkeys(self.tables.contained, every)
+        changed = True
+        while changed:
+            changed = False
+            for task in known:
+                ways = [self.needed_by(method.body, known) for method in self.of((task[0], *[None] * task[1]))]
+                found = frozenset.intersection(*ways) if ways else every
+                if found != known[task]:
+                    known[task], changed = found, True
+        return known
+
+    def needed_by(self, row: Row, known: Mapping[Indicator, frozenset[Indicator]]) -> frozenset[Indicator]:
+        """The actions that every way to do a row has, where those of tasks are known."""
+        found: frozenset[Indicator] = frozenset()
+        for item in row:
+            kind = item[0]
+            if kind is ACT:
+                found |= {indicator(item[1])}
+            elif kind is CALL:
+                found |= known[indicator(item[1])]
+            elif kind is PAR or kind is SEQ:
+                found |= self.needed_by(item[1], known)
+            elif kind is ALT:
+                found |= frozenset.intersection(*[self.needed_by((each,), known) for each in item[1]])
+            elif kind is REP and item[2]:
+                found |= self.needed_by((item[1],), known)
+        return found
 
     # --- how far an action is --------------------------------------------------------------------------------------
 

@@ -19,8 +19,8 @@ from functools import cached_property
 from math import inf
 from typing import Any, NamedTuple, Protocol
 
-from casper.engine.episodes.networks.compiling import Compiled, left_of
-from casper.engine.episodes.networks.terms import ACT, ALT, CALL, COND, PAR, REP, Row
+from casper.engine.episodes.networks.items.compiling import Compiled, left_of
+from casper.engine.episodes.networks.items.terms import ACT, ALT, CALL, COND, PAR, REP, Row
 from casper.kb.terms.clauses import Indicator
 from casper.plans.networks.tables import Tables
 
