@@ -118,7 +118,7 @@ class Mind:
                 and the mind can go on with the next one.
             CasperError: the mind was told to stop at an action that fits no plan, and there was one.
         """
-        return self.notice(self.tracker.update(world))
+        return [event for steady in self.tracker.steps(world) for event in self.notice(steady)]
 
     def notice(self, world: WorldState) -> list[Event]:
         """As `update`, of a world state that a tracker has been through."""

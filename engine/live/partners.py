@@ -40,7 +40,9 @@ class Partners:
         Raises:
             WorldStateError, CasperError: as `Mind.update`.
         """
-        tracked = self.first.tracker.update(world)
+        return [event for tracked in self.first.tracker.steps(world) for event in self._noticed(tracked)]
+
+    def _noticed(self, tracked: WorldState) -> list[Event]:
         events = [*self._met(tracked)]
         for mind in self.minds.values():
             events += mind.notice(tracked)

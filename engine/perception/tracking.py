@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections import deque
 from dataclasses import dataclass, replace
 
+from casper.engine.perception.filters.quality import Gauge, Quality
+from casper.engine.perception.filters.steadying import Steadier
 from casper.engine.perception.perception import check_world
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
 from casper.engine.settings import Rows, read_settings, require
@@ -30,6 +33,12 @@ class TrackerSettings:
     hold_bridge: int = 1
     hold_confirm: int = 1
     agent_bridge: float = 2.0
+    steady: bool = True
+    steady_noise: float = 0.02
+    steady_lost: float = 0.12
+    steady_period: float = 1.2
+    pace: float = 0.5
+    lag: float = 1.5
 
     def __post_init__(self) -> None:
         for name in ("gate", "agent_gate", "agent_bridge"):
@@ -47,6 +56,9 @@ def tracker_settings(rows: Rows) -> TrackerSettings:
     return read_settings(TrackerSettings, rows, "tracking")
 
 
+RECENT = 40  # world states from which the filters begin, once the sensor is found to be poor
+
+
 class Tracker:
     """Turns each sensed world state into a steadier one in which nothing once seen is lost."""
 
@@ -59,6 +71,44 @@ class Tracker:
         self._t: float | None = None
         self._agents: dict[str, _AgentTrack] = {}
         self._objects: dict[str, _ObjectTrack] = {}
+        self._gauge = Gauge()
+        self._steadier: Steadier | None = None
+        self._recent: deque[WorldState] = deque(maxlen=RECENT)
+        self._last = -math.inf
+
+    @property
+    def quality(self) -> Quality:
+        """What is known of the sensor."""
+        return self._gauge.quality
+
+    def steps(self, world: WorldState) -> list[WorldState]:
+        """The world states that follow from one that was sensed: one, or, of a poor sensor, those told by now.
+
+        Raises:
+            WorldStateError: as `update`.
+        """
+        usual = self.update(world)
+        if not (self.settings.enabled and self.settings.steady):
+            return [usual]
+        self._gauge.update(world)
+        if self._steadier is None:
+            self._recent.append(world)
+            if not self._is_poor():
+                self._last = world.t
+                return [usual]
+            chosen = self.settings
+            self._steadier = Steadier(max(self._last, world.t - 100.0), chosen.pace, chosen.lag, chosen.agent_bridge)
+            return [w for recent in self._recent for w in self._steadier.update(recent, self.quality)]
+        return self._steadier.update(world, self.quality)
+
+    def _is_poor(self) -> bool:
+        """Whether the sensor is too poor to be believed a state at a time."""
+        chosen, seen = self.settings, self.quality
+        return (
+            (seen.noise or 0.0) > chosen.steady_noise
+            or seen.lost > chosen.steady_lost
+            or (seen.period or 0.0) > chosen.steady_period
+        )
 
     def update(self, world: WorldState) -> WorldState:
         """The world as it is believed to be at ``world.t``.

@@ -1,0 +1,151 @@
+"""A thing that rests or is in somebody's hand: two Kalman filters, and how likely each of them is.
+
+The one of rest stays where it is; that of being carried goes along with the carrier and wanders. They are mixed at each
+step (interacting multiple models, Blom and Bar-Shalom 1988), and what follows within the lag is looked at, too.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from math import exp, pi
+
+from casper.engine.perception.world import ObjectState
+
+WANDERS = 0.03  # m²/s: a hand that stands lifts and lowers what it holds
+SETTLES = 1e-6  # m²/s: a thing at rest
+TAKEN, PUT = 0.08, 0.12  # a second, within reach
+NEVER = 1e-5  # out of everybody's reach
+LEAST = 1e-4  # share that a model keeps
+ELSEWHERE = 1e-7  # density (m⁻³) at or below which neither model expects a detection
+JUMPS = 3  # detections in a row where nobody could have brought it
+
+
+@dataclass(frozen=True, slots=True)
+class Belief:
+    """A place, metres, and the variance of a coordinate."""
+
+    x: float
+    y: float
+    z: float
+    variance: float
+
+    def moved(self, dx: float, dy: float, spread: float) -> Belief:
+        """Elsewhere, and less sure."""
+        return Belief(self.x + dx, self.y + dy, self.z, self.variance + spread)
+
+    def density(self, x: float, y: float, z: float, noise: float) -> float:
+        """How likely a detection there is."""
+        s = self.variance + noise
+        gap = (x - self.x) ** 2 + (y - self.y) ** 2 + (z - self.z) ** 2
+        return float(exp(-0.5 * gap / s) * (2 * pi * s) ** -1.5)
+
+    def corrected(self, x: float, y: float, z: float, noise: float) -> Belief:
+        """After a detection."""
+        k = self.variance / (self.variance + noise)
+        return Belief(
+            self.x + k * (x - self.x), self.y + k * (y - self.y), self.z + k * (z - self.z), (1 - k) * self.variance
+        )
+
+    def mixed(self, other: Belief, share: float) -> Belief:
+        """One belief for two, of which the other has that share."""
+        dx, dy, dz = other.x - self.x, other.y - self.y, other.z - self.z
+        spread = share * (1 - share) * (dx * dx + dy * dy + dz * dz) / 3
+        variance = (1 - share) * self.variance + share * other.variance + spread
+        return Belief(self.x + share * dx, self.y + share * dy, self.z + share * dz, variance)
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """What was known at one moment: likelihoods of both models since the one before, and their shares after it."""
+
+    t: float
+    likelihoods: tuple[float, float]
+    change: tuple[float, float]
+    carried: float
+    rest: Belief
+    by: str | None
+
+
+class Handling:
+    """One thing."""
+
+    def __init__(self, t: float, seen: ObjectState, noise: float, carried: float = 0.02, kept: int = 400) -> None:
+        here = Belief(seen.x, seen.y, seen.z or 0.0, noise)
+        self.flat = seen.z is None
+        self.rest = self.hand = here
+        self.carried = carried
+        self.outside = 0
+        self.moments: deque[Moment] = deque([Moment(t, (1.0, 1.0), (0.0, 0.0), carried, here, None)], maxlen=kept)
+
+    def expect(self, dt: float, by: str | None, gone: tuple[float, float]) -> tuple[float, float]:
+        """Time goes by, somebody within reach has moved; the chances of being taken and put down in it."""
+        near = by is not None
+        taken, put = 1 - exp(-TAKEN * dt) if near else NEVER, 1 - exp(-PUT * dt)
+        rest, hand = 1 - self.carried, self.carried
+        now = hand * (1 - put) + rest * taken
+        to_hand, to_rest = rest * taken / now, hand * put / (1 - now)
+        before = self.rest
+        self.rest = before.mixed(self.hand, to_rest).moved(0, 0, SETTLES * dt)
+        self.hand = self.hand.mixed(before, to_hand).moved(*gone, WANDERS * dt)
+        self.carried = now
+        return taken, put
+
+    def update(
+        self,
+        t: float,
+        change: tuple[float, float],
+        by: str | None,
+        seen: ObjectState | None,
+        noise: float,
+        told: tuple[float, float],
+    ) -> bool:
+        """A detection, or none, and how likely what is told of the hand is at rest and carried; whether it jumped."""
+        rest, hand = told
+        jumped = False
+        if seen is not None:
+            x, y, z = seen.x, seen.y, seen.z or 0.0
+            at_rest, in_hand = self.rest.density(x, y, z, noise), self.hand.density(x, y, z, noise)
+            jumped = self._jumps(max(at_rest, in_hand))
+            if jumped:
+                self.rest = self.hand = Belief(x, y, z, noise)
+                self.carried, at_rest, in_hand = 0.5, 1.0, 1.0
+            elif self.outside == 0:
+                rest, hand = rest * at_rest, hand * in_hand
+                self.rest = self.rest.corrected(x, y, z, noise)
+                self.hand = self.hand.corrected(x, y, z, noise)
+        total = (1 - self.carried) * rest + self.carried * hand
+        if total > 0.0:
+            self.carried = min(max(self.carried * hand / total, LEAST), 1 - LEAST)
+        self.moments.append(Moment(t, (rest, hand), change, self.carried, self.rest, by))
+        return jumped
+
+    def _jumps(self, best: float) -> bool:
+        self.outside = self.outside + 1 if best <= ELSEWHERE else 0
+        if self.outside >= JUMPS:
+            self.outside = 0
+            return True
+        return False
+
+    def at(self, t: float) -> tuple[float, ObjectState, str | None] | None:
+        """How likely it was carried at a moment, where it lay if not, and by whom, from all that was seen by now.
+
+        None: it was not known yet.
+        """
+        rest = hand = 1.0  # likelihoods of what came later
+        lies = True  # from then on
+        ahead: Moment | None = None
+        for moment in reversed(self.moments):
+            if ahead is not None:
+                taken, put = ahead.change
+                r, h = ahead.likelihoods[0] * rest, ahead.likelihoods[1] * hand
+                rest, hand = (1 - taken) * r + taken * h, put * r + (1 - put) * h
+                top = max(rest, hand)
+                rest, hand = (rest / top, hand / top) if top > 0.0 else (1.0, 1.0)
+            lies = lies and moment.carried < 0.5
+            if moment.t <= t:
+                share = moment.carried * hand / (moment.carried * hand + (1 - moment.carried) * rest)
+                spot = self.moments[-1].rest if lies else moment.rest
+                return share, ObjectState(spot.x, spot.y, None if self.flat else spot.z), moment.by
+            ahead = moment
+        return None

@@ -1,0 +1,196 @@
+"""World states of a poor sensor made steady: filtered, and told at an even pace, a little later.
+
+What is told at a time is the world as it was ``lag`` seconds before, in the light of what was seen since. Agents stand or
+walk, things rest or are carried; which of both is decided by likelihoods. Who is not seen for long is absent.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from dataclasses import dataclass, field
+
+from casper.engine.perception.filters.handling import Handling
+from casper.engine.perception.filters.quality import Quality
+from casper.engine.perception.filters.walking import Motion, Way
+from casper.engine.perception.world import AgentState, ObjectState, WorldState
+
+REACH = 1.1  # metres from an agent within which things are taken, carried and put down
+SLOWEST, SURE = 0.12, 0.3  # m/s: below it nobody walks, above it everybody does
+CREEP = 0.03  # metres a step by which the place of one who stands is mended
+LEAST_NOISE = 0.01  # metres
+LOOKS = 0.3  # seconds around a moment whose headings count
+
+
+@dataclass
+class _Person:
+    """What is kept of one agent: the way, what was sensed of heading by time, and what was told last."""
+
+    way: Way = field(default_factory=Way)
+    looks: deque[tuple[float, float]] = field(default_factory=lambda: deque(maxlen=400))
+    told: AgentState | None = None
+    stood: int = 0
+    middle: tuple[float, float] = (0.0, 0.0)
+
+
+class Steadier:
+    """Takes in world states as sensed, gives out steady ones.
+
+    Args:
+        since: the time of the last world state that was told otherwise; the first one comes a pace later.
+        pace: seconds between two that are told.
+        lag: seconds by which they are late.
+        bridge: seconds for which an agent who is not seen is thought to go on.
+    """
+
+    def __init__(self, since: float, pace: float = 0.5, lag: float = 1.5, bridge: float = 2.0) -> None:
+        self.since, self.pace, self.lag, self.bridge = since, pace, lag, bridge
+        self._marked = self._told = 0  # paces
+        self._people: dict[str, _Person] = {}
+        self._things: dict[str, Handling] = {}
+        self.jumps: list[str] = []  # what was found elsewhere with nobody near, at the last world state
+
+    def update(self, world: WorldState, quality: Quality) -> list[WorldState]:
+        """Take in one; those that are told by now."""
+        while (mark := self._content(self._marked + 1)) <= world.t:
+            self._marked += 1
+            self._mark(mark)
+        self._sense(world, max(quality.noise or LEAST_NOISE, LEAST_NOISE))
+        found = []
+        while self.since + (self._told + 1) * self.pace <= world.t + 1e-9:
+            self._told += 1
+            found.append(self._tell())
+        return found
+
+    def _content(self, number: int) -> float:
+        """The moment that the state of that number is about."""
+        return self.since + number * self.pace - self.lag
+
+    # --- taking in -------------------------------------------------------------------------------------------------
+
+    def _mark(self, t: float) -> None:
+        for person in self._people.values():
+            person.way.mark(t)
+        for name, thing in self._things.items():
+            by, change = self._expect(name, thing, t, None)
+            thing.update(t, change, by, None, 1.0, (1.0, 1.0))
+
+    def _sense(self, world: WorldState, noise: float) -> None:
+        variance = noise * noise
+        for name, agent in world.agents.items():
+            person = self._people.setdefault(name, _Person())
+            person.way.seen(world.t, agent.x, agent.y, variance)
+            person.looks.append((world.t, agent.heading))
+        holder = {agent.holding: name for name, agent in world.agents.items() if agent.holding is not None}
+        self.jumps = []
+        for name in dict.fromkeys((*self._things, *world.objects)):
+            seen, thing = world.objects.get(name), self._things.get(name)
+            if thing is None:
+                assert seen is not None
+                self._things[name] = Handling(world.t, seen, variance, 0.5 if name in holder else 0.02)
+                continue
+            by, change = self._expect(name, thing, world.t, holder.get(name))
+            told = _told_of_hand(noise, by, holder.get(name), seen is not None and by in world.agents)
+            if thing.update(world.t, change, by, seen, variance, told):
+                self.jumps.append(name)
+
+    def _expect(
+        self, name: str, thing: Handling, t: float, holder: str | None
+    ) -> tuple[str | None, tuple[float, float]]:
+        dt = t - thing.moments[-1].t
+        by = holder or self._near(thing, t)
+        gone = (0.0, 0.0)
+        if by is not None:
+            motion = self._people[by].way.last
+            if motion is not None and motion.pace > _walks_from(motion):
+                gone = motion.vx * dt, motion.vy * dt
+        return by, thing.expect(dt, by, gone)
+
+    def _near(self, thing: Handling, t: float) -> str | None:
+        """Who may have it in the hand: the nearest within reach."""
+        best, found = REACH, None
+        for name, person in self._people.items():
+            motion = person.way.last
+            if motion is None or t - person.looks[-1][0] > self.bridge:
+                continue
+            gap = math.hypot(motion.x - thing.hand.x, motion.y - thing.hand.y)
+            if gap < best:
+                best, found = gap, name
+        return found
+
+    # --- telling ---------------------------------------------------------------------------------------------------
+
+    def _tell(self) -> WorldState:
+        moment = self._content(self._told)
+        objects: dict[str, ObjectState] = {}
+        held: dict[str, tuple[float, str]] = {}
+        for name, thing in self._things.items():
+            found = thing.at(moment)
+            if found is None:
+                continue
+            share, objects[name], by = found
+            if by is not None and share > held.get(by, (0.5, ""))[0]:
+                held[by] = share, name
+        agents = {}
+        for name, person in self._people.items():
+            state = self._agent(person, moment, held.get(name, (0.0, None))[1])
+            if state is not None:
+                agents[name] = state
+        return WorldState(self.since + self._told * self.pace, agents, objects)
+
+    def _agent(self, person: _Person, moment: float, holding: str | None) -> AgentState | None:
+        motion = person.way.at(moment)
+        if motion is None or not self._is_known(person, moment):
+            person.told, person.stood = None, 0
+            return None
+        x, y = motion.x, motion.y
+        if motion.pace > _walks_from(motion):
+            person.stood = 0
+        else:
+            x, y = self._stands(person, x, y)
+        person.told = AgentState(x, y, _heading(person, moment), holding)
+        return person.told
+
+    def _is_known(self, person: _Person, moment: float) -> bool:
+        """Seen not long before, or at both ends of a gap."""
+        before = max((t for t, _ in person.looks if t <= moment), default=-math.inf)
+        after = min((t for t, _ in person.looks if t > moment), default=math.inf)
+        return moment - before <= self.bridge or after - before <= 2 * self.bridge
+
+    def _stands(self, person: _Person, x: float, y: float) -> tuple[float, float]:
+        """The mean of where it was since it stands; it is brought there slowly, so that it does not seem to walk."""
+        person.stood = n = person.stood + 1
+        mx, my = person.middle if n > 1 else (x, y)
+        mx, my = mx + (x - mx) / n, my + (y - my) / n
+        person.middle = mx, my
+        if person.told is None or n == 1:
+            return mx, my
+        dx, dy = mx - person.told.x, my - person.told.y
+        gap = math.hypot(dx, dy)
+        share = 1.0 if gap <= CREEP else CREEP / gap
+        return person.told.x + dx * share, person.told.y + dy * share
+
+
+def _walks_from(motion: Motion) -> float:
+    """m/s above which somebody walks: more than chance would have it."""
+    return min(max(2.5 * math.sqrt(motion.speed), SLOWEST), SURE)
+
+
+def _told_of_hand(noise: float, by: str | None, holder: str | None, is_telling: bool) -> tuple[float, float]:
+    """How likely what is told of the hands is when a thing rests and when it is carried.
+
+    A hand is told by how near the thing seems to be, so the more noise the less it says.
+    """
+    if_carried, if_near = max(0.95 * math.exp(-((noise / 0.05) ** 2)), 0.07), 0.06
+    if holder is not None:
+        return if_near, if_carried
+    return (1 - if_near, 1 - if_carried) if by is not None and is_telling else (1.0, 1.0)
+
+
+def _heading(person: _Person, moment: float) -> float:
+    """The mean of the headings around a moment."""
+    s = c = 0.0
+    for t, heading in person.looks:
+        weight = math.exp(-abs(t - moment) / LOOKS)
+        s, c = s + weight * math.sin(heading), c + weight * math.cos(heading)
+    return math.atan2(s, c)
