@@ -28,7 +28,7 @@ def goals_of_partners(
     Raises:
         DomainError: as `goals_of_a_day`; or there is no goal left for somebody that is not in another one's way.
     """
-    known = list(domain.library.goals)
+    known = _known(domain)
     for goal in wanted:
         require(goal in known, f"there is no goal {goal!r}: choose {', '.join(known)}")
     partners = [name for name in domain.partners if name in scene.people]
@@ -43,6 +43,12 @@ def goals_of_partners(
             raise DomainError(f"{clash or 'no goal'} can be pursued by {name} beside {', '.join(others)}: {_ADVICE}")
         chosen[name] = goals_of_a_day(domain, theirs, in_a_row, changes_mind, seed + APART * at, among)
     return chosen
+
+
+def _known(domain: Domain) -> list[str]:
+    known = list(domain.library.goals)
+    require(bool(known), f"the domain {domain.name} has no goals, so nobody can pursue one; write a plans.pl")
+    return known
 
 
 _ADVICE = "two people cannot both move the same things; name goals that need others"
@@ -75,8 +81,7 @@ def goals_of_a_day(
     Raises:
         DomainError: no such goal, none at all, fewer in a row than are wanted, or no other goal to change to.
     """
-    known = list(domain.library.goals if among is None else among)
-    require(bool(known), f"the domain {domain.name} has no goals, so nobody can pursue one; write a plans.pl")
+    known = _known(domain) if among is None else list(among)
     for goal in wanted:
         require(goal in known, f"there is no goal {goal!r}: choose {', '.join(known)}")
     least = 2 if changes_mind else 1
