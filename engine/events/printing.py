@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
 from casper.engine.events.telling import PLAIN, Telling
@@ -175,10 +175,14 @@ def episode_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
 
 
 def summary_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
-    """What was predicted and done, and whether it was right; of several goals, how each ended."""
-    yield from _wanted_lines(t, data, names)
-    rows = data.get("episodes", ())
-    for row in rows if len(rows) > 1 else ():
+    """What was predicted and done, and whether it was right, of every partner; of several goals, how each ended."""
+    rows, partners = data.get("episodes", ()), data.get("partners", ())
+    for row in partners:
+        theirs = [episode for episode in rows if episode["agent"] == row["agent"]]
+        yield from _wanted_lines(t, {**row, "episodes": theirs}, replace(names, partner=row["agent"]))
+    if not partners:
+        yield from _wanted_lines(t, data, names)
+    for row in rows if len(rows) > max(1, len(partners)) else ():
         yield _under(f"{row['agent']}: ", Span(row["goal"] or "?", "strong"), f" {row['outcome']} at {row['to']:.1f} s")
     if data.get("goal") is not None and data["robot"]["actions"]:
         done = Span("finished", "good") if data["robot"]["done"] else Span("not finished", "bad")

@@ -104,3 +104,9 @@ def test_people_and_robot_start_apart_and_each_is_seen():
     assert set(simulation.truth().agents) == {"ida", "otto", "rover"}
     seen = set().union(*(simulation.observe().agents for _ in range(5)))  # the eye overlooks somebody now and then
     assert seen == {"ida", "otto", "rover"}
+
+
+def test_a_person_is_told_what_became_of_each():
+    ida, otto, *_ = str(trial()[1][-1]).splitlines()
+    assert "ida wanted stool; predicted stool" in ida and ida.endswith("right")
+    assert "otto wanted lamp; predicted lamp" in otto and otto.endswith("right")
