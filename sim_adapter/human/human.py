@@ -193,8 +193,10 @@ class Human(Worker):
             raise StepFailed(f"{name} is no longer there")
 
     def _until_vacant(self, target: str, place: str) -> Ticks:
-        """Wait while others are at work at a place, or something of theirs lies there; not for ever."""
+        """Wait out of the way while others are at work at a place, or something of theirs lies there; not for ever."""
         since = self.physics.time
+        if not self._vacant(target, place):
+            yield from self.walk.stand_aside()
         while not self._vacant(target, place) and self.physics.time - since < LONGEST_WAIT:
             self.body.stand("still")
             self.body.relax_hand()
