@@ -69,7 +69,7 @@ class Proof(Shown):
 
         A last line, ``… 9,870 more steps``, says how much is left out.
         """
-        told = self._outline(most_steps, most_steps if deepest is None else deepest)
+        told = self.outlined(most_steps, most_steps if deepest is None else deepest)
         return "\n".join([*_lines(told, self.words), *filter(None, [told.closing])])
 
     def __str__(self) -> str:
@@ -105,7 +105,7 @@ class Proof(Shown):
         left out the whole has ``more``, the number of further steps, and a part whose premises lie too deep
         ``"cut": true``.
         """
-        told = self._outline(most_steps, deepest)
+        told = self.outlined(most_steps, deepest)
         premises: list[list[dict[str, Any]]] = [[]]  # by depth, those of the last entry there
         for entry in told.entries:
             shown = _object(entry)
@@ -131,7 +131,8 @@ class Proof(Shown):
         rows = [(p.literal, p.clause, tuple(numbers[id(x)] for x in p.premises), p.remark) for p in steps]
         return _of_steps, (rows, self.words)
 
-    def _outline(self, most: int, deepest: int) -> Outline[Proof]:
+    def outlined(self, most: int, deepest: int) -> Outline[Proof]:
+        """What is shown of it, in the order of the lines: of at most so many steps, none deeper than that."""
         return outline(self, self._numbers(), most, deepest)
 
     def _numbers(self, known: Numbers | None = None) -> dict[int, int]:

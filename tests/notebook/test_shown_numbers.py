@@ -107,3 +107,12 @@ def test_a_domain_shows_its_constraints_and_a_tree_for_each_plan():
     root = parsed(KITCHEN._repr_html_())
     assert "the biscuits go on the plate only" in words(root)
     assert len(list(root.iter("svg"))) == len(KITCHEN.library.ways)
+
+
+def test_a_proof_is_told_in_the_authors_words_beside_its_terms():
+    from casper.kb.base import KnowledgeBase
+
+    kb = KnowledgeBase.from_text('human(ann). agent(X) :- human(X). say(agent(A), "{A} can act"). say(ann, "Ann").')
+    root = parsed(kb.why("agent(ann)")._repr_html_())
+    assert "Ann can act" in words(root)
+    assert [code.text for code in root.iter("code")] == ["agent(ann)", "human(ann)"]

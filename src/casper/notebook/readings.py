@@ -29,7 +29,7 @@ def reading_html(reading: Reading) -> Markup:
         *(explanation_html(explanation, told["observations"]) for explanation in best),
     ]
     if told["frontier"]:
-        parts.append(tag("p", "yet to come: ", chips(told["frontier"])))
+        parts.append(tag("p", "yet to come: ", chips(map(reading.tell.step, told["frontier"]))))
     return joined(parts)
 
 

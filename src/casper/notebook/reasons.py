@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from casper.kb.reasons.doubt import Doubt
@@ -9,6 +10,7 @@ from casper.kb.reasons.proof import DEEPEST_JSON, Proof
 from casper.kb.reasons.repair import Repair
 from casper.kb.reasons.validity import Verdict
 from casper.kb.reasons.why_not import Refusal
+from casper.kb.reasons.wording import holding_sentence
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
 from casper.notebook.asked import Asked
@@ -23,16 +25,24 @@ _NOTES = {"fact": "given", "rule": "", "test": "compared", "absence": "not known
 def proof_html(proof: Proof) -> Markup:
     """A proof as a tree to fold; what is used twice stands there once."""
     told = proof.to_json(MOST_STEPS, DEEPEST_JSON)
+    entries = proof.outlined(MOST_STEPS, DEEPEST_JSON).entries
+    said = iter([holding_sentence(entry.node.literal, proof.words) for entry in entries])
     more = [tag("p", f"… {told['more']:,} more steps", class_="faint")] if told.get("more") else []
-    return joined([_step(told, 0), *more])
+    return joined([_step(told, said, 0), *more])
 
 
-def _step(told: dict[str, Any], depth: int) -> Markup:
-    """One step and its premises; recursion is bounded by `DEEPEST_JSON`."""
-    shown = joined([tag("code", told["fact"]), *(tag("span", f"  [{note}]", class_="faint") for note in _notes(told))])
+def _step(told: dict[str, Any], said: Iterator[str | None], depth: int) -> Markup:
+    """One step and its premises, each in the author's words too, where there are any.
+
+    ``said`` is in the order of the lines; recursion is bounded by `DEEPEST_JSON`.
+    """
+    sentence = next(said)
+    words = [f"{sentence} "] if sentence else []
+    term = tag("code", told["fact"], class_="faint" if words else None)
+    shown = joined([*words, term, *(tag("span", f"  [{note}]", class_="faint") for note in _notes(told))])
     if not told["because"]:
         return shown
-    return folded(shown, listed(_step(premise, depth + 1) for premise in told["because"]), is_open=depth < OPEN)
+    return folded(shown, listed(_step(premise, said, depth + 1) for premise in told["because"]), is_open=depth < OPEN)
 
 
 def _notes(told: dict[str, Any]) -> list[str]:
