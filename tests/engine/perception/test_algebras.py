@@ -45,7 +45,9 @@ def test_by_way_of_what_is_the_same_a_relation_stays(kb, calculus, same):
 
 
 def test_tables_are_asked_in_every_direction(kb):
-    assert {row["T"] for row in kb.query("composition(allen, during, overlaps, T)")} == qsr.algebra("allen").compose("during", "overlaps")
+    assert {row["T"] for row in kb.query("composition(allen, during, overlaps, T)")} == qsr.algebra("allen").compose(
+        "during", "overlaps"
+    )
     assert {row["R"] for row in kb.query("neighbour(cardinal, R, ne)")} == {"n", "e", "eq"}
 
 
@@ -60,7 +62,9 @@ def test_what_follows_is_proved(kb):
 
 def test_what_cannot_be_is_ruled_out_and_a_contradiction_breaks_a_constraint(kb):
     told = kb.assume("holds(allen, breakfast, meets, work)", "holds(allen, work, overlaps, lunch)")
-    assert told.ask("ruled_out(allen, breakfast, after, lunch)") and not told.ask("ruled_out(allen, breakfast, before, lunch)")
+    assert told.ask("ruled_out(allen, breakfast, after, lunch)") and not told.ask(
+        "ruled_out(allen, breakfast, before, lunch)"
+    )
     assert not told.broken()
     assert "cannot hold at once" in str(told.assume("holds(allen, lunch, before, breakfast)").broken())
 
