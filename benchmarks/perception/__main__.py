@@ -1,4 +1,4 @@
-"""Steps a second of qualitative relations: whole traces, a step at a time, and pair by pair; equal answers checked.
+"""Steps a second of qualitative relations: whole traces, a step at a time, pair by pair, with equal answers checked.
 
     python benchmarks/perception [--quick]
 

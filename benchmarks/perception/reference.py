@@ -10,7 +10,7 @@ from casper.qsr.tuples import Related
 def pair_by_pair(
     calculi: Sequence[Calculus], t: Sequence[float], steps: Sequence[dict[str, Body]], observer: str
 ) -> list[dict[str, dict[tuple[str, ...], str]]]:
-    """What holds at each step, as `casper.qsr.Stream` tells it; nothing is shared, nothing kept but the step before."""
+    """What holds at each step, as `casper.qsr.Stream` tells it; nothing is shared, and the step before is kept."""
     told = []
     before: dict[str, Body] = {}
     for at, now in enumerate(steps):

@@ -147,30 +147,21 @@ class FocusEstimator:
 
     def _ballot(self, scores: Mapping[str, float]) -> Ballot:
         """Who is best, and who comes next; equal ones in the order of their names."""
-        best = _front(scores, self.settings.tie_tolerance, ())
-        if not best or scores[best[0]] <= 0.0:
+        settings, ordered = self.settings, sorted(scores.values())
+        if not ordered or ordered[-1] <= 0.0:
             return NOBODY
-        least = self.settings.destination_minimum
-        worthy = tuple([name for name in best if scores[name] > least])
+        top, least, share = ordered[-1], settings.destination_minimum, 1.0 - settings.tie_tolerance
+        best = _ranked([name for name, score in scores.items() if score >= top * share], scores)
         second: Sequence[str] = ()
-        if len(best) == 1:
-            second = tuple([n for n in _front(scores, self.settings.tie_tolerance, best) if scores[n] > least])
-        return Ballot(best, worthy, second, scores[best[0]] > self.settings.threshold)
+        if len(best) == 1 and len(ordered) > 1 and ordered[-2] > least:
+            next_, alone = ordered[-2] * share, best[0]
+            front = [name for name, score in scores.items() if score >= next_ and score > least and name != alone]
+            second = _ranked(front, scores)
+        worthy = tuple([name for name in best if scores[name] > least])
+        return Ballot(best, worthy, second, top > settings.threshold)
 
 
-def _front(scores: Mapping[str, float], tolerance: float, barred: Sequence[str]) -> Sequence[str]:
-    """The names with the greatest scores, which are equal, among those that are not barred."""
-    first, rest = None, []
-    top = -math.inf
-    for name, score in scores.items():
-        if score >= top * (1.0 - tolerance) and name not in barred:
-            rest.append(name)
-            if score > top:
-                first, top = name, score
-    if first is None:
-        return ()
-    least = top * (1.0 - tolerance)
-    front = [name for name in rest if scores[name] >= least]
-    if len(front) > 1:
-        front.sort(key=lambda name: (-scores[name], name))
-    return tuple(front)
+def _ranked(names: list[str], scores: Mapping[str, float]) -> Sequence[str]:
+    if len(names) > 1:
+        names.sort(key=lambda name: (-scores[name], name))
+    return tuple(names)
