@@ -2,7 +2,8 @@
 
     MUJOCO_GL=egl python docs/pictures.py
 
-notebook.png is a part of the first notebook's page, as a browser shows it.
+notebook.png is a part of the first notebook's page, as a browser shows it; report.png is the page of
+`casper run kitchen --goal lunch --seed 3 --report lunch.html` at `lunch.html#t=80`, 1280 by 1570 pixels.
 """
 
 import sys

@@ -5,7 +5,7 @@ partner (script) -> physics -> sensor -> world state -> mind -> events -> robot 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -69,6 +69,7 @@ class Trial:
     minds: Partners = field(init=False)
     partners: dict[str, Partner] = field(init=False)
     helper: Helper = field(init=False)
+    each_step: Callable[[], object] = field(default=bool, init=False)  # called at the start and after every period
 
     def __post_init__(self) -> None:
         chosen = self.settings
@@ -117,10 +118,12 @@ class Trial:
         """Everything that happens, as it happens; the last event is the ``summary``."""
         for partner in self.partners.values():
             partner.begin()
+        self.each_step()
         period, idle_since = self.simulation.scene.sim.period, None
         longest = LONGEST * max(len(partner.pursuits) for partner in self.partners.values())
         while self.simulation.time < longest:
             self.simulation.advance(period)
+            self.each_step()
             now = self.simulation.time
             told = self.minds.update(self.simulation.observe())
             yield from told

@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("kb", "plans", "engine", "sim_adapter", "domains")
-DOORS = ("cli", "server", "batch", "planning", "qsr", "testing", "notebook", "lsp")  # rooms of src/casper itself
+DOORS = ("cli", "server", "batch", "planning", "qsr", "testing", "notebook", "report", "lsp")  # rooms of src/casper itself
 
 
 def tree() -> set[str]:
@@ -18,7 +18,8 @@ def tree() -> set[str]:
     ours = [f for package in PACKAGES for f in (ROOT / package).rglob("*") if f.is_file()]
     expected = {f"casper/{f.relative_to(ROOT)}" for f in ours if "__pycache__" not in f.parts}
     source = ROOT / "src/casper"
-    doors = [f for room in DOORS for f in (source / room).rglob("*.py")]
+    found = (f for room in DOORS for f in (source / room).rglob("*"))
+    doors = [f for f in found if f.is_file() and "__pycache__" not in f.parts]
     for f in [*source.glob("*.py"), source / "py.typed", *doors]:
         expected.add(f"casper/{f.relative_to(source)}")
     return expected

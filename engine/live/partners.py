@@ -9,6 +9,7 @@ from casper.engine.domain.agents import is_known
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.mind import Mind
+from casper.engine.perception.tracking import Tracker
 from casper.engine.perception.world import WorldState
 from casper.engine.reading.course import Course
 from casper.kb.terms.terms import Compound
@@ -33,6 +34,11 @@ class Partners:
         self.first = Mind(domain, **choices)
         self.minds: dict[str, Mind] = {self.first.partner: self.first}
         self.strangers: set[str] = set()  # who were told of
+
+    @property
+    def tracker(self) -> Tracker:
+        """What steadies the world for all of them."""
+        return self.first.tracker
 
     def update(self, world: WorldState) -> list[Event]:
         """Take in one world state; the events of every partner in view, each naming whom it is about.

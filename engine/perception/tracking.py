@@ -69,6 +69,7 @@ class Tracker:
     def reset(self) -> None:
         """Forget every object and agent."""
         self._t: float | None = None
+        self.latest: WorldState | None = None  # what `update` returned last
         self._agents: dict[str, _AgentTrack] = {}
         self._objects: dict[str, _ObjectTrack] = {}
         self._gauge = Gauge()
@@ -118,8 +119,10 @@ class Tracker:
         Raises:
             WorldStateError: time that does not advance, or a coordinate that is not finite.
         """
-        if not self.settings.enabled:
-            return world
+        self.latest = self._tracked(world) if self.settings.enabled else world
+        return self.latest
+
+    def _tracked(self, world: WorldState) -> WorldState:
         check_world(self._t, world)
         self._t = world.t
         agents = self._track_agents(world)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -36,5 +37,9 @@ Stops = Annotated[bool, typer.Option("--stop", help="Stop at an action that fits
 Language = Annotated[
     str | None,
     typer.Option("--language", metavar="L", help="Tell reasons in this language, as far as the domain words them: fr."),
+]
+Report = Annotated[
+    Path | None,
+    typer.Option("--report", metavar="FILE.html", help="Write a page to look at: what happened, played back, and why."),
 ]
 Quiet = Annotated[bool, typer.Option("--quiet", help="Print results only: no progress, no hints, of run the summary.")]

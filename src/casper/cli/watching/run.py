@@ -10,7 +10,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.terminal.options import AsJson, DomainName, Goals, Language, Noise, PolicyName, Quiet, Unverified
+from casper.cli.terminal.options import (
+    AsJson,
+    DomainName,
+    Goals,
+    Language,
+    Noise,
+    PolicyName,
+    Quiet,
+    Report,
+    Unverified,
+)
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
@@ -49,6 +59,7 @@ def run(
     ] = False,
     speed: Annotated[float, typer.Option(help="Simulated seconds a second; 0 is as fast as it goes.")] = 0.0,
     language: Language = None,
+    report: Report = None,
     quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> None:
@@ -60,6 +71,7 @@ def run(
     from casper.engine.domain.domain import Domain
     from casper.engine.events.timeline import Timeline
     from casper.engine.live.memory import keep_loaded
+    from casper.report.writing import reporting
 
     _check_speed(speed)
     loaded = Domain.load(domain, language)
@@ -70,10 +82,14 @@ def run(
     trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind))
     out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
     keep_loaded()
-    if not as_json and not quiet:
-        show(out, timeline.open(loaded.name, seed))
-    with progress("simulating", None, quiet or sys.stdout.isatty()):
-        for event in _paced(trial.events(), speed):
+    with reporting(loaded, report) as recorder, progress("simulating", None, quiet or sys.stdout.isatty()):
+        if not as_json and not quiet:
+            show(out, timeline.open(loaded.name, seed))
+        events = trial.events()
+        if recorder is not None:
+            trial.each_step = lambda: recorder.see(trial.simulation.truth())
+            events = recorder.heard(events, trial.minds)
+        for event in _paced(events, speed):
             if as_json:
                 print_json(event.to_json())
             elif not quiet or event.type == "summary":

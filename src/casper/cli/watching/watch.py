@@ -13,12 +13,23 @@ from typing import TYPE_CHECKING, Annotated, TextIO
 
 import typer
 
-from casper.cli.terminal.options import AsJson, DomainName, Goals, Language, Noise, PolicyName, Stops, Unverified
+from casper.cli.terminal.options import (
+    AsJson,
+    DomainName,
+    Goals,
+    Language,
+    Noise,
+    PolicyName,
+    Report,
+    Stops,
+    Unverified,
+)
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
-    from casper.engine.live import Partners
+    from casper.engine.live import Live, Partners
     from casper.engine.mind import Mind
+    from casper.report.recorder import Recorder
 
 LONGEST = 10_000_000  # characters of a world state
 
@@ -32,6 +43,7 @@ def watch(
     stop: Stops = False,
     reload: Annotated[bool, typer.Option("--reload", help="Read the domain anew when its files change.")] = False,
     language: Language = None,
+    report: Report = None,
     as_json: AsJson = False,
 ) -> None:
     """Watch partners through world states on standard input; a bad line is reported and left out."""
@@ -41,28 +53,44 @@ def watch(
     from casper.engine.events.timeline import Timeline
     from casper.engine.live import Partners
     from casper.engine.live.memory import keep_loaded
+    from casper.report.writing import reporting
 
     loaded = Domain.load(domain, language)
     minds = Partners(loaded, verification=not no_verification, policy=policy, noise=noise, goals=goals, stops=stop)
     out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
     keep_loaded()
-    for event in watched(minds, _lines(sys.stdin), reload):
-        if as_json:
-            print_json(event.to_json())
-        else:
-            show(out, timeline.lines(event))
+    with reporting(loaded, report) as recorder:
+        for event in watched(minds, _lines(sys.stdin), reload, recorder):
+            if as_json:
+                print_json(event.to_json())
+            else:
+                show(out, timeline.lines(event))
 
 
-def watched(mind: Mind | Partners, lines: Iterable[str], reload: bool = False) -> Iterator[Event]:
+def watched(
+    mind: Mind | Partners, lines: Iterable[str], reload: bool = False, recorder: Recorder | None = None
+) -> Iterator[Event]:
     """The events of a mind, or of those of all partners, for JSON lines; one that cannot be used becomes a ``warning``.
 
-    With ``reload`` changes in the domain's files are taken in between two lines, and told as warnings, too.
+    With ``reload`` changes in the domain's files are taken in between two lines, and told as warnings, too. A
+    ``recorder`` sees the world as it is believed to be, and hears every event.
     """
+    from casper.engine.live import Live
+
+    live = Live(mind)
+    for event in _told(live, lines, reload):
+        if recorder is not None:
+            recorder.see(live.mind.tracker.latest)
+            recorder.take(event, live.mind)
+        yield event
+
+
+def _told(live: Live, lines: Iterable[str], reload: bool) -> Iterator[Event]:
     from casper.engine.events import Event
-    from casper.engine.live import Live, heard
+    from casper.engine.live import heard
     from casper.kb.errors import ReadError, WorldStateError
 
-    now, live = 0.0, Live(mind)
+    now = 0.0
     for number, line in enumerate(lines, 1):
         if not line.strip():
             continue

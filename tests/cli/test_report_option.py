@@ -1,0 +1,26 @@
+"""``--report FILE.html``: a place that will not do is told at once, and watched world states make a page, too."""
+
+import json
+import re
+
+
+def test_a_place_that_cannot_be_written_is_told_before_anything_is_simulated(casper):
+    told = casper("run", "kitchen", "--report", "/nowhere/run.html")
+    assert (told.code, told.out) == (2, "")
+    assert told.err == "casper: cannot write /nowhere/run.html (there is no folder /nowhere); choose another place\n"
+
+
+def test_a_report_is_a_page(casper):
+    told = casper("watch", "kitchen", "--report", "run.pdf")
+    assert (told.code, told.err) == (2, "casper: a report is a page, such as run.html, not run.pdf\n")
+
+
+def test_watched_world_states_make_a_page_too(casper, tmp_path):
+    page = tmp_path / "watched.html"
+    place = {"x": 0.0, "y": 0.0, "heading": 0.0, "holding": None}
+    states = [{"t": t, "agents": {"human": {**place, "x": t / 10}}, "objects": {"plate": {"x": 0.5, "y": 0.0}}} for t in (1, 2, 3)]
+    told = casper("watch", "kitchen", "--json", "--report", str(page), stdin="\n".join(map(json.dumps, states)))
+    written = re.search(r'id="recording">(.*?)</script>', page.read_text(), re.S)
+    data = json.loads(written[1])
+    assert data["events"] == told.json
+    assert data["states"]["t"] == [1.0, 2.0, 3.0]
