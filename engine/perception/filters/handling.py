@@ -12,9 +12,12 @@ from math import exp, pi
 
 from casper.engine.perception.world import ObjectState
 
-WANDERS = 0.03  # m²/s: a hand that stands lifts and lowers what it holds
+WANDERS = 0.03  # m²/s: a hand lifts and lowers what it holds
+STEADY = 0.0004  # m²/s: or keeps it where it is, before the body
+ARM = 0.16  # m²: or has it anywhere within an arm's reach
+KEEPS, LIFTS, REACHES = 0.5, 0.4, 0.1  # how often each
 SETTLES = 1e-6  # m²/s: a thing at rest
-TAKEN, PUT = 0.08, 0.12  # a second, within reach
+TAKEN, PUT = 0.1, 0.4  # a second, within reach
 NEVER = 1e-5  # out of everybody's reach
 LEAST = 1e-4  # share that a model keeps
 ELSEWHERE = 1e-7  # density (m⁻³) at or below which neither model expects a detection
@@ -87,7 +90,7 @@ class Handling:
         to_hand, to_rest = rest * taken / now, hand * put / (1 - now)
         before = self.rest
         self.rest = before.mixed(self.hand, to_rest).moved(0, 0, SETTLES * dt)
-        self.hand = self.hand.mixed(before, to_hand).moved(*gone, WANDERS * dt)
+        self.hand = self.hand.mixed(before, to_hand).moved(*gone, STEADY * dt)
         self.carried = now
         return taken, put
 
@@ -99,13 +102,21 @@ class Handling:
         seen: ObjectState | None,
         noise: float,
         told: tuple[float, float],
+        carrier: tuple[float, float] | None = None,
     ) -> bool:
-        """A detection, or none, and how likely what is told of the hand is at rest and carried; whether it jumped."""
+        """A detection, or none; whether the thing jumped.
+
+        Args:
+            t: when. change: what `expect` said. by: who is within reach, standing at ``carrier``.
+            seen: the detection. noise: its variance (m²).
+            told: how likely what is told of the hand is when the thing rests, and when it is carried.
+        """
         rest, hand = told
         jumped = False
         if seen is not None:
             x, y, z = seen.x, seen.y, seen.z or 0.0
-            at_rest, in_hand = self.rest.density(x, y, z, noise), self.hand.density(x, y, z, noise)
+            at_rest = self.rest.density(x, y, z, noise)
+            in_hand, hand_now = self._in_hand(x, y, z, noise, t - self.moments[-1].t, carrier)
             jumped = self._jumps(max(at_rest, in_hand))
             if jumped:
                 self.rest = self.hand = Belief(x, y, z, noise)
@@ -113,12 +124,22 @@ class Handling:
             elif self.outside == 0:
                 rest, hand = rest * at_rest, hand * in_hand
                 self.rest = self.rest.corrected(x, y, z, noise)
-                self.hand = self.hand.corrected(x, y, z, noise)
+                self.hand = hand_now
         total = (1 - self.carried) * rest + self.carried * hand
         if total > 0.0:
             self.carried = min(max(self.carried * hand / total, LEAST), 1 - LEAST)
         self.moments.append(Moment(t, (rest, hand), change, self.carried, self.rest, by))
         return jumped
+
+    def _in_hand(
+        self, x: float, y: float, z: float, noise: float, dt: float, carrier: tuple[float, float] | None
+    ) -> tuple[float, Belief]:
+        """How likely the detection is when it is carried, and where it then is."""
+        ways = [(KEEPS, self.hand), (LIFTS, self.hand.moved(0, 0, WANDERS * dt))]
+        if carrier is not None:
+            ways.append((REACHES, Belief(*carrier, self.rest.z, ARM)))
+        shares = [(share * way.density(x, y, z, noise), way) for share, way in ways]
+        return sum(share for share, _ in shares), max(shares, key=lambda pair: pair[0])[1].corrected(x, y, z, noise)
 
     def _jumps(self, best: float) -> bool:
         self.outside = self.outside + 1 if best <= ELSEWHERE else 0
