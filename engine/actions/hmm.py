@@ -110,7 +110,7 @@ class HmmRecogniser:
         change = self._filter.update(movement)
         if change is not None:
             self._window.append(change.name)
-        self._forward(movement.t, movement.name)
+        self._forward(movement.t, movement.shares or {movement.name: 1.0})
         self._scores = self._happened()
         before, self._standing = self._standing, self._confirmed()
         action = self._standing
@@ -140,13 +140,18 @@ class HmmRecogniser:
         self._candidate = best
         return best if best and self._run >= self.settings.confirm else None
 
-    def _forward(self, t: float, seen: str) -> None:
-        """Predict with the model, weigh with the emission, normalise; states of no weight are dropped."""
+    def _forward(self, t: float, shares: Mapping[str, float]) -> None:
+        """Predict with the model, weigh with the emission of what was seen, or may have been, and normalise.
+
+        States of no weight are dropped.
+        """
         states, expected = self._model.states, self._predicted(t)
         try:
-            likelihood = {name: row[seen] for name, row in self._emission.items()}
-        except KeyError:
-            raise DomainError(f"no transition of any action knows the movement {seen}") from None
+            likelihood = {
+                name: sum(row[seen] * share for seen, share in shares.items()) for name, row in self._emission.items()
+            }
+        except KeyError as unknown:
+            raise DomainError(f"no transition of any action knows the movement {unknown.args[0]}") from None
         weighed = {index: p * likelihood[states[index].movement] for index, p in expected.items()}
         total = sum(weighed.values())
         least = total * _NEGLIGIBLE

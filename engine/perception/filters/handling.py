@@ -15,7 +15,8 @@ from casper.engine.perception.world import ObjectState
 WANDERS = 0.03  # m²/s: a hand lifts and lowers what it holds
 STEADY = 0.0004  # m²/s: or keeps it where it is, before the body
 ARM = 0.16  # m²: or has it anywhere within an arm's reach
-KEEPS, LIFTS, REACHES = 0.5, 0.4, 0.1  # how often each
+LIFTED, LIFT = 0.12, 0.005  # metres above where it lay, and m²: what is handled on the spot
+KEEPS, WANDERING, LIFTS, REACHES = 0.3, 0.15, 0.5, 0.05  # how often each
 SETTLES = 1e-6  # m²/s: a thing at rest
 TAKEN, PUT = 0.1, 0.4  # a second, within reach
 NEVER = 1e-5  # out of everybody's reach
@@ -67,6 +68,7 @@ class Moment:
     change: tuple[float, float]
     carried: float
     rest: Belief
+    hand: Belief
     by: str | None
 
 
@@ -79,7 +81,7 @@ class Handling:
         self.rest = self.hand = here
         self.carried = carried
         self.outside = 0
-        self.moments: deque[Moment] = deque([Moment(t, (1.0, 1.0), (0.0, 0.0), carried, here, None)], maxlen=kept)
+        self.moments: deque[Moment] = deque([Moment(t, (1.0, 1.0), (0.0, 0.0), carried, here, here, None)], maxlen=kept)
 
     def expect(self, dt: float, by: str | None, gone: tuple[float, float]) -> tuple[float, float]:
         """Time goes by, somebody within reach has moved; the chances of being taken and put down in it."""
@@ -128,14 +130,16 @@ class Handling:
         total = (1 - self.carried) * rest + self.carried * hand
         if total > 0.0:
             self.carried = min(max(self.carried * hand / total, LEAST), 1 - LEAST)
-        self.moments.append(Moment(t, (rest, hand), change, self.carried, self.rest, by))
+        self.moments.append(Moment(t, (rest, hand), change, self.carried, self.rest, self.hand, by))
         return jumped
 
     def _in_hand(
         self, x: float, y: float, z: float, noise: float, dt: float, carrier: tuple[float, float] | None
     ) -> tuple[float, Belief]:
         """How likely the detection is when it is carried, and where it then is."""
-        ways = [(KEEPS, self.hand), (LIFTS, self.hand.moved(0, 0, WANDERS * dt))]
+        ways = [(KEEPS, self.hand), (WANDERING, self.hand.moved(0, 0, WANDERS * dt))]
+        if not self.flat:
+            ways.append((LIFTS, Belief(self.rest.x, self.rest.y, self.rest.z + LIFTED, self.rest.variance + LIFT)))
         if carrier is not None:
             ways.append((REACHES, Belief(*carrier, self.rest.z, ARM)))
         shares = [(share * way.density(x, y, z, noise), way) for share, way in ways]
@@ -149,7 +153,7 @@ class Handling:
         return False
 
     def at(self, t: float) -> tuple[float, ObjectState, str | None] | None:
-        """How likely it was carried at a moment, where it lay if not, and by whom, from all that was seen by now.
+        """How likely it was carried at a moment, where it was, and in whose hand, from all that was seen by now.
 
         None: it was not known yet.
         """
@@ -166,7 +170,7 @@ class Handling:
             lies = lies and moment.carried < 0.5
             if moment.t <= t:
                 share = moment.carried * hand / (moment.carried * hand + (1 - moment.carried) * rest)
-                spot = self.moments[-1].rest if lies else moment.rest
+                spot = self.moments[-1].rest if lies else moment.rest if share < 0.5 else moment.hand
                 return share, ObjectState(spot.x, spot.y, None if self.flat else spot.z), moment.by
             ahead = moment
         return None

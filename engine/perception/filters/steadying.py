@@ -10,7 +10,7 @@ import math
 from collections import deque
 from dataclasses import dataclass, field
 
-from casper.engine.perception.filters.handling import Belief, Handling
+from casper.engine.perception.filters.handling import PUT, TAKEN, Belief, Handling
 from casper.engine.perception.filters.quality import Quality
 from casper.engine.perception.filters.walking import Motion, Way
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
@@ -18,6 +18,7 @@ from casper.engine.perception.world import AgentState, ObjectState, WorldState
 REACH = 1.1  # metres from an agent within which things are taken, carried and put down
 SLOWEST, SURE = 0.12, 0.3  # m/s: below it nobody walks, above it everybody does
 CREEP = 0.03  # metres a step by which the place of one who stands is mended
+HOLDS = 0.3  # the share from which something is in the hand: in the middle of a use it is there for a moment only
 LEAST_NOISE = 0.01  # metres
 LOOKS = 0.3  # seconds around a moment whose headings count
 
@@ -56,7 +57,8 @@ class Steadier:
         while (mark := self._content(self._marked + 1)) <= world.t:
             self._marked += 1
             self._mark(mark)
-        self._sense(world, max(quality.noise or LEAST_NOISE, LEAST_NOISE))
+        self._noise = max(quality.noise or LEAST_NOISE, LEAST_NOISE)
+        self._sense(world, self._noise)
         self.lag = max(self.lag, self._wanted(quality))
         found = []
         while self._content(self._told + 1) + self.lag <= world.t + 1e-9:
@@ -134,22 +136,22 @@ class Steadier:
     def _tell(self) -> WorldState:
         moment = self._content(self._told)
         objects: dict[str, ObjectState] = {}
-        held: dict[str, tuple[float, str]] = {}
+        held: dict[str, tuple[float, str | None]] = {}
         for name, thing in self._things.items():
             found = thing.at(moment)
             if found is None:
                 continue
             share, objects[name], by = found
-            if by is not None and share > held.get(by, (0.5, ""))[0]:
-                held[by] = share, name
+            if by is not None and share > held.get(by, (0.0, None))[0]:
+                held[by] = share, name if share > HOLDS else None
         agents = {}
         for name, person in self._people.items():
-            state = self._agent(person, moment, held.get(name, (0.0, None))[1])
+            state = self._agent(person, moment, *held.get(name, (0.0, None)))
             if state is not None:
                 agents[name] = state
         return WorldState(moment + self.lag, agents, objects)
 
-    def _agent(self, person: _Person, moment: float, holding: str | None) -> AgentState | None:
+    def _agent(self, person: _Person, moment: float, share: float, holding: str | None) -> AgentState | None:
         motion = person.way.at(moment)
         if motion is None or not self._is_known(person, moment):
             person.told, person.stood = None, 0
@@ -159,7 +161,7 @@ class Steadier:
             person.stood = 0
         else:
             x, y = self._stands(person, x, y)
-        person.told = AgentState(x, y, _heading(person, moment), holding)
+        person.told = AgentState(x, y, _heading(person, moment), holding, _evidence(share, self._noise))
         return person.told
 
     def _is_known(self, person: _Person, moment: float) -> bool:
@@ -182,6 +184,16 @@ class Steadier:
         return person.told.x + dx * share, person.told.y + dy * share
 
 
+def _evidence(share: float, noise: float) -> float:
+    """What speaks for it that a hand holds something.
+
+    The less the hands are told of, the likelier one that is near something is free, and the more a small share says.
+    """
+    usual = min(max(0.5 * _told_if_carried(noise), 0.12), 0.5)
+    held, free = share / usual, (1.0 - share) / (1.0 - usual)
+    return held / (held + free)
+
+
 def _left(person: _Person, motion: Motion) -> bool:
     """Whether somebody is no longer where they were thought to stand."""
     gap = math.hypot(motion.x - person.middle[0], motion.y - person.middle[1])
@@ -198,10 +210,15 @@ def _told_of_hand(noise: float, by: str | None, holder: str | None, is_telling: 
 
     A hand is told by how near the thing seems to be, so the more noise the less it says.
     """
-    if_carried, if_near = max(0.95 * math.exp(-((noise / 0.05) ** 2)), 0.07), 0.06
+    if_carried, if_near = _told_if_carried(noise), 0.06
     if holder is not None:
         return if_near, if_carried
     return (1 - if_near, 1 - if_carried) if by is not None and is_telling else (1.0, 1.0)
+
+
+def _told_if_carried(noise: float) -> float:
+    """How often what is in a hand is told to be so, by how near both seem to be."""
+    return max(0.95 * math.exp(-((noise / 0.05) ** 2)), 0.07)
 
 
 def _heading(person: _Person, moment: float) -> float:
