@@ -19,6 +19,8 @@ from casper.kb.errors import DomainError
 
 Emission = Mapping[str, Mapping[str, float]]
 _NEGLIGIBLE = 1e-7
+SURE = 0.65  # the share from which a loop is surely going on
+ROUNDS = 0.3  # of the mean time of its movements together for which it must
 SHOWN = 100  # movements of the window that is shown: of hours without an action only the last
 
 
@@ -80,6 +82,7 @@ class HmmRecogniser:
         self._t: float | None = None
         self._standing: str | None = None
         self._candidate, self._run = "", 0
+        self._going: tuple[str | None, float] = (None, 0.0)  # the loop that is surely going on, and since when
         self._scores = dict.fromkeys(self._fsms, 0.0)
 
     @property
@@ -112,6 +115,8 @@ class HmmRecogniser:
             self._window.append(change.name)
         self._forward(movement.t, movement.shares or {movement.name: 1.0})
         self._scores = self._happened()
+        if movement.shares is not None:
+            self._last_long(movement.t)
         before, self._standing = self._standing, self._confirmed()
         action = self._standing
         if action is None:
@@ -129,7 +134,20 @@ class HmmRecogniser:
         self._belief = belief
         self._window.clear()
         self._standing, self._candidate, self._run = None, "", 0
+        self._going = None, 0.0
         self._scores = dict.fromkeys(self._fsms, 0.0)
+
+    def _last_long(self, t: float) -> None:
+        """A loop that is surely going on, for as long as it takes, has happened though rounds of it were not made out.
+
+        For those who are not sure of every movement only: of short ones some are missed.
+        """
+        underway = self.underway
+        going = next((a for a in self._fsms if underway[a] >= SURE and self._fsms[a].loop), None)
+        if going is None or going != self._going[0]:
+            self._going = going, t
+        elif t - self._going[1] >= ROUNDS * len(self._fsms[going].cycle) * self.settings.lasts:
+            self._scores = {**self._scores, going: max(self._scores[going], underway[going])}
 
     def _confirmed(self) -> str | None:
         """The action that has been certain for long enough: a single misread step should not decide."""
