@@ -21,6 +21,7 @@ Emission = Mapping[str, Mapping[str, float]]
 _NEGLIGIBLE = 1e-7
 SURE = 0.65  # the share from which a loop is surely going on
 ROUNDS = 0.3  # of the mean time of its movements together for which it must
+SMOOTHED = 0.5  # of what is taken wrongly a step at a time is right with what came later known
 SHOWN = 100  # movements of the window that is shown: of hours without an action only the last
 
 
@@ -70,6 +71,10 @@ class HmmRecogniser:
         self.settings = settings
         self._fsms = {fsm.action: fsm for fsm in fsms}
         self._emission = emission
+        self._smoothed = {
+            true: {seen: SMOOTHED * (seen == true) + (1 - SMOOTHED) * p for seen, p in row.items()}
+            for true, row in emission.items()
+        }
         self._model = HmmModel(settings, fsms)
         self._filter = MovementFilter(settings.filter_window)
         self.reset()
@@ -113,7 +118,10 @@ class HmmRecogniser:
         change = self._filter.update(movement)
         if change is not None:
             self._window.append(change.name)
-        self._forward(movement.t, movement.shares or {movement.name: 1.0})
+        if movement.shares is None:
+            self._forward(movement.t, {movement.name: 1.0}, self._emission)
+        else:
+            self._forward(movement.t, movement.shares, self._smoothed)
         self._scores = self._happened()
         if movement.shares is not None:
             self._last_long(movement.t)
@@ -158,7 +166,7 @@ class HmmRecogniser:
         self._candidate = best
         return best if best and self._run >= self.settings.confirm else None
 
-    def _forward(self, t: float, shares: Mapping[str, float]) -> None:
+    def _forward(self, t: float, shares: Mapping[str, float], emission: Emission) -> None:
         """Predict with the model, weigh with the emission of what was seen, or may have been, and normalise.
 
         States of no weight are dropped.
@@ -166,7 +174,7 @@ class HmmRecogniser:
         states, expected = self._model.states, self._predicted(t)
         try:
             likelihood = {
-                name: sum(row[seen] * share for seen, share in shares.items()) for name, row in self._emission.items()
+                name: sum(row[seen] * share for seen, share in shares.items()) for name, row in emission.items()
             }
         except KeyError as unknown:
             raise DomainError(f"no transition of any action knows the movement {unknown.args[0]}") from None
