@@ -19,7 +19,7 @@ from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.events.printing import Names, plan_lines, prediction_lines
 from casper.engine.movements.movements import Movement, movement_classifier
-from casper.engine.perception.about import About, Handled, about
+from casper.engine.perception.about import About, Handled, about, about_nearby
 from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, perception_settings
 from casper.engine.perception.tracking import Tracker, tracker_settings
@@ -138,6 +138,9 @@ class Mind:
 
     def _about(self, focus: Focus, world: WorldState, handled: str | None) -> About:
         """What an action of this moment is about."""
+        agent = world.agents.get(self.partner)
+        if agent is not None and agent.grasp is not None:
+            return about_nearby(focus, self.handled.lately(world.t), agent, world)
         if self.focus.settings.steady:
             return about(focus, handled, world)
         return About(focus.target, (focus.destination,))

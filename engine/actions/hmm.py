@@ -19,6 +19,9 @@ from casper.kb.errors import DomainError
 
 Emission = Mapping[str, Mapping[str, float]]
 _NEGLIGIBLE = 1e-7
+SURE = 0.65  # the share from which a loop is surely going on
+ROUNDS = 0.3  # of the mean time of its movements together for which it must
+SMOOTHED = 0.5  # of what is taken wrongly a step at a time is right with what came later known
 SHOWN = 100  # movements of the window that is shown: of hours without an action only the last
 
 
@@ -68,6 +71,10 @@ class HmmRecogniser:
         self.settings = settings
         self._fsms = {fsm.action: fsm for fsm in fsms}
         self._emission = emission
+        self._smoothed = {
+            true: {seen: SMOOTHED * (seen == true) + (1 - SMOOTHED) * p for seen, p in row.items()}
+            for true, row in emission.items()
+        }
         self._model = HmmModel(settings, fsms)
         self._filter = MovementFilter(settings.filter_window)
         self.reset()
@@ -80,6 +87,7 @@ class HmmRecogniser:
         self._t: float | None = None
         self._standing: str | None = None
         self._candidate, self._run = "", 0
+        self._going: tuple[str | None, float] = (None, 0.0)  # the loop that is surely going on, and since when
         self._scores = dict.fromkeys(self._fsms, 0.0)
 
     @property
@@ -110,8 +118,13 @@ class HmmRecogniser:
         change = self._filter.update(movement)
         if change is not None:
             self._window.append(change.name)
-        self._forward(movement.t, movement.name)
+        if movement.shares is None:
+            self._forward(movement.t, {movement.name: 1.0}, self._emission)
+        else:
+            self._forward(movement.t, movement.shares, self._smoothed)
         self._scores = self._happened()
+        if movement.shares is not None:
+            self._last_long(movement.t)
         before, self._standing = self._standing, self._confirmed()
         action = self._standing
         if action is None:
@@ -129,7 +142,20 @@ class HmmRecogniser:
         self._belief = belief
         self._window.clear()
         self._standing, self._candidate, self._run = None, "", 0
+        self._going = None, 0.0
         self._scores = dict.fromkeys(self._fsms, 0.0)
+
+    def _last_long(self, t: float) -> None:
+        """A loop that is surely going on, for as long as it takes, has happened though rounds of it were not made out.
+
+        For those who are not sure of every movement only: of short ones some are missed.
+        """
+        underway = self.underway
+        going = next((a for a in self._fsms if underway[a] >= SURE and self._fsms[a].loop), None)
+        if going is None or going != self._going[0]:
+            self._going = going, t
+        elif t - self._going[1] >= ROUNDS * len(self._fsms[going].cycle) * self.settings.lasts:
+            self._scores = {**self._scores, going: max(self._scores[going], underway[going])}
 
     def _confirmed(self) -> str | None:
         """The action that has been certain for long enough: a single misread step should not decide."""
@@ -140,13 +166,18 @@ class HmmRecogniser:
         self._candidate = best
         return best if best and self._run >= self.settings.confirm else None
 
-    def _forward(self, t: float, seen: str) -> None:
-        """Predict with the model, weigh with the emission, normalise; states of no weight are dropped."""
+    def _forward(self, t: float, shares: Mapping[str, float], emission: Emission) -> None:
+        """Predict with the model, weigh with the emission of what was seen, or may have been, and normalise.
+
+        States of no weight are dropped.
+        """
         states, expected = self._model.states, self._predicted(t)
         try:
-            likelihood = {name: row[seen] for name, row in self._emission.items()}
-        except KeyError:
-            raise DomainError(f"no transition of any action knows the movement {seen}") from None
+            likelihood = {
+                name: sum(row[seen] * share for seen, share in shares.items()) for name, row in emission.items()
+            }
+        except KeyError as unknown:
+            raise DomainError(f"no transition of any action knows the movement {unknown.args[0]}") from None
         weighed = {index: p * likelihood[states[index].movement] for index, p in expected.items()}
         total = sum(weighed.values())
         least = total * _NEGLIGIBLE

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter, deque
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -46,11 +46,15 @@ def features(relations: Relations, focus: Focus) -> Features:
 
 @dataclass(frozen=True, slots=True)
 class Movement:
-    """The movement of one moment, and what it was told by."""
+    """The movement of one moment, and what it was told by.
+
+    ``shares`` are the weights of all it may have been, where that is not sure; they add up to 1.
+    """
 
     t: float
     name: str
     features: Features = NOT_PERCEIVED
+    shares: Mapping[str, float] | None = None
 
 
 class MovementClassifier:
@@ -83,7 +87,17 @@ class MovementClassifier:
         name = self._table.get(seen)
         if name is None:
             raise DomainError(f"movement has no answer for {_shown(seen)}")
-        return Movement(relations.t, name, seen)
+        if relations.grasp is None:
+            return Movement(relations.t, name, seen)
+        return Movement(relations.t, name, seen, self._shares(seen, relations.grasp))
+
+    def _shares(self, seen: Features, grasp: float) -> Mapping[str, float]:
+        """What it may be, when it is not sure whether the hand is free."""
+        shares: dict[str, float] = {}
+        for hold, share in zip(HOLD, (1.0 - grasp, grasp)):
+            name = self._table[seen._replace(hold=hold)]
+            shares[name] = shares.get(name, 0.0) + share
+        return shares
 
     def reset(self) -> None:
         """Nothing is remembered from step to step."""

@@ -7,10 +7,14 @@ from dataclasses import dataclass
 
 from casper.engine.perception.focus import Focus
 from casper.engine.perception.perception import Relations
-from casper.engine.perception.world import WorldState
+from casper.engine.perception.world import AgentState, WorldState
 
 TOGETHER = 0.15  # metres within which two things are in one place, as the eye has it
 KEPT = 6.0  # seconds for which what was in the hand is what an action is about
+KEPT_UNSURE = 30.0  # the same where a tracker is not sure: within arm's reach of it, and unless something else was
+REACH = 0.9  # metres
+BESIDE = 0.3  # metres farther than the nearest place that another may be which comes into question
+FARTHEST = 0.9  # metres from where the target is
 STEPS = 2  # in a row for which something must be in the hand: one may be misread
 
 
@@ -29,6 +33,10 @@ class Handled:
         self._name: str | None = None
         self._t = -math.inf
         self._run: tuple[str | None, int] = (None, 0)
+
+    def lately(self, t: float) -> str | None:
+        """What it was not long ago, for those who are not sure of every moment."""
+        return self._name if t - self._t <= KEPT_UNSURE else None
 
     def update(self, relations: Relations) -> str | None:
         """What it is at this moment; None when nothing was for a while."""
@@ -58,3 +66,27 @@ def about(focus: Focus, handled: str | None, world: WorldState) -> About:
     ]
     places.sort(key=lambda name: -(things[name].z or 0.0))
     return About(target, tuple(places))
+
+
+def about_nearby(focus: Focus, handled: str | None, agent: AgentState, world: WorldState) -> About:
+    """What an action is about where noise makes the direction of a look unsure, and where things stand is known better.
+
+    The target is what was in the hand lately, within reach, else what is attended to; the places are the things nearest
+    to it.
+
+    Args:
+        focus: what is attended to.
+        handled: what was in the hand lately (`Handled.lately`).
+        agent: who acts.
+        world: where everything is.
+    """
+    things = world.objects
+    spot = None if handled is None else things.get(handled)
+    is_near = spot is not None and math.hypot(spot.x - agent.x, spot.y - agent.y) <= REACH
+    target = handled if is_near else focus.target
+    if target is None or target not in things:
+        return About(target, (focus.destination,))
+    at = things[target]
+    gaps = sorted((math.hypot(o.x - at.x, o.y - at.y), name) for name, o in things.items() if name != target)
+    most = min(gaps[0][0] + BESIDE, FARTHEST) if gaps else 0.0
+    return About(target, tuple(name for gap, name in gaps if gap <= most) or (None,))

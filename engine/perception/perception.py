@@ -70,7 +70,7 @@ class Relations:
 
     moving: MOS, None at the first step. holding: HOLD. qdc: a band's label. qtc: ``-`` towards, ``0``,
     ``+`` away, None while the pair has no earlier step. angle: radians from 0 to pi between the heading and
-    the line to the object, 0 for a held one.
+    the line to the object, 0 for a held one. grasp: as in `AgentState`.
     """
 
     t: float
@@ -80,6 +80,7 @@ class Relations:
     qdc: Mapping[str, str]
     qtc: Mapping[str, str | None]
     angle: Mapping[str, float]
+    grasp: float | None = None
 
 
 def calculi(settings: PerceptionSettings) -> tuple[Qdc, QtcB11, Mos]:
@@ -130,7 +131,7 @@ class Perception:
             angle[held] = 0.0
             if snaps and lay:
                 qtc[held] = "0"  # also at the step of the grasp, when it was still lying somewhere else
-        return Relations(world.t, self.agent, moving, held, qdc, qtc, angle)
+        return Relations(world.t, self.agent, moving, held, qdc, qtc, angle, agent.grasp)
 
 
 def check_world(before: float | None, world: WorldState) -> None:

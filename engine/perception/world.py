@@ -16,12 +16,16 @@ from casper.kb.text.lines import Line, one_line, text_of
 
 @dataclass(frozen=True, slots=True)
 class AgentState:
-    """An agent at one moment: position (metres), heading (radians, 0 = +x, counter-clockwise), what it holds."""
+    """An agent at one moment: position (metres), heading (radians, 0 = +x, counter-clockwise), what it holds.
+
+    ``grasp`` is the weight of evidence, 0 to 1, that the hand holds something, where a tracker is not sure.
+    """
 
     x: float
     y: float
     heading: float
     holding: str | None = None
+    grasp: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

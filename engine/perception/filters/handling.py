@@ -7,15 +7,22 @@ step (interacting multiple models, Blom and Bar-Shalom 1988), and what follows w
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import exp, pi
 
 from casper.engine.perception.world import ObjectState
 
-WANDERS = 0.03  # m²/s: a hand that stands lifts and lowers what it holds
+WANDERS = 0.03  # m²/s: a hand lifts and lowers what it holds
+STEADY = 0.0004  # m²/s: or keeps it where it is, before the body
+ARM = 0.16  # m²: or has it anywhere within an arm's reach
+LIFTED, LIFT = 0.12, 0.005  # metres above where it lay, and m²: what is handled on the spot
+KEEPS, WANDERING, LIFTS, REACHES = 0.3, 0.15, 0.5, 0.05  # how often each
 SETTLES = 1e-6  # m²/s: a thing at rest
-TAKEN, PUT = 0.08, 0.12  # a second, within reach
+TAKEN, PUT = 0.1, 0.4  # a second, within reach
 NEVER = 1e-5  # out of everybody's reach
+STAYS, BACK, ANEW = 0.85, 0.1, 0.05  # how often what may have been in a hand lies as before, is put back, or elsewhere
+SURE_FREE = 0.1  # share of being carried below which a thing lies where it seems to
 LEAST = 1e-4  # share that a model keeps
 ELSEWHERE = 1e-7  # density (m⁻³) at or below which neither model expects a detection
 JUMPS = 3  # detections in a row where nobody could have brought it
@@ -64,6 +71,7 @@ class Moment:
     change: tuple[float, float]
     carried: float
     rest: Belief
+    hand: Belief
     by: str | None
 
 
@@ -73,10 +81,10 @@ class Handling:
     def __init__(self, t: float, seen: ObjectState, noise: float, carried: float = 0.02, kept: int = 400) -> None:
         here = Belief(seen.x, seen.y, seen.z or 0.0, noise)
         self.flat = seen.z is None
-        self.rest = self.hand = here
+        self.rest = self.hand = self.home = here  # home: where it lay for sure
         self.carried = carried
         self.outside = 0
-        self.moments: deque[Moment] = deque([Moment(t, (1.0, 1.0), (0.0, 0.0), carried, here, None)], maxlen=kept)
+        self.moments: deque[Moment] = deque([Moment(t, (1.0, 1.0), (0.0, 0.0), carried, here, here, None)], maxlen=kept)
 
     def expect(self, dt: float, by: str | None, gone: tuple[float, float]) -> tuple[float, float]:
         """Time goes by, somebody within reach has moved; the chances of being taken and put down in it."""
@@ -87,7 +95,7 @@ class Handling:
         to_hand, to_rest = rest * taken / now, hand * put / (1 - now)
         before = self.rest
         self.rest = before.mixed(self.hand, to_rest).moved(0, 0, SETTLES * dt)
-        self.hand = self.hand.mixed(before, to_hand).moved(*gone, WANDERS * dt)
+        self.hand = self.hand.mixed(before, to_hand).moved(*gone, STEADY * dt)
         self.carried = now
         return taken, put
 
@@ -99,26 +107,56 @@ class Handling:
         seen: ObjectState | None,
         noise: float,
         told: tuple[float, float],
+        carrier: tuple[float, float] | None = None,
     ) -> bool:
-        """A detection, or none, and how likely what is told of the hand is at rest and carried; whether it jumped."""
+        """A detection, or none; whether the thing jumped.
+
+        Args:
+            t: when. change: what `expect` said. by: who is within reach, standing at ``carrier``.
+            seen: the detection. noise: its variance (m²).
+            told: how likely what is told of the hand is when the thing rests, and when it is carried.
+        """
         rest, hand = told
         jumped = False
         if seen is not None:
             x, y, z = seen.x, seen.y, seen.z or 0.0
-            at_rest, in_hand = self.rest.density(x, y, z, noise), self.hand.density(x, y, z, noise)
+            at_rest, rest_now = self._at_rest(x, y, z, noise, carrier)
+            in_hand, hand_now = self._in_hand(x, y, z, noise, t - self.moments[-1].t, carrier)
             jumped = self._jumps(max(at_rest, in_hand))
             if jumped:
                 self.rest = self.hand = Belief(x, y, z, noise)
                 self.carried, at_rest, in_hand = 0.5, 1.0, 1.0
             elif self.outside == 0:
                 rest, hand = rest * at_rest, hand * in_hand
-                self.rest = self.rest.corrected(x, y, z, noise)
-                self.hand = self.hand.corrected(x, y, z, noise)
+                self.rest = rest_now
+                self.hand = hand_now
         total = (1 - self.carried) * rest + self.carried * hand
         if total > 0.0:
             self.carried = min(max(self.carried * hand / total, LEAST), 1 - LEAST)
-        self.moments.append(Moment(t, (rest, hand), change, self.carried, self.rest, by))
+        if self.carried < SURE_FREE:
+            self.home = self.rest
+        self.moments.append(Moment(t, (rest, hand), change, self.carried, self.rest, self.hand, by))
         return jumped
+
+    def _at_rest(
+        self, x: float, y: float, z: float, noise: float, carrier: tuple[float, float] | None
+    ) -> tuple[float, Belief]:
+        """How likely the detection is when it rests, and where it then is: as before, put back, or put down anew."""
+        if self.carried < SURE_FREE or carrier is None:
+            return self.rest.density(x, y, z, noise), self.rest.corrected(x, y, z, noise)
+        anew = Belief(*carrier, self.hand.z, ARM)
+        return _likeliest(((STAYS, self.rest), (BACK, self.home), (ANEW, anew)), x, y, z, noise)
+
+    def _in_hand(
+        self, x: float, y: float, z: float, noise: float, dt: float, carrier: tuple[float, float] | None
+    ) -> tuple[float, Belief]:
+        """How likely the detection is when it is carried, and where it then is."""
+        ways = [(KEEPS, self.hand), (WANDERING, self.hand.moved(0, 0, WANDERS * dt))]
+        if not self.flat:
+            ways.append((LIFTS, Belief(self.rest.x, self.rest.y, self.rest.z + LIFTED, self.rest.variance + LIFT)))
+        if carrier is not None:
+            ways.append((REACHES, Belief(*carrier, self.rest.z, ARM)))
+        return _likeliest(ways, x, y, z, noise)
 
     def _jumps(self, best: float) -> bool:
         self.outside = self.outside + 1 if best <= ELSEWHERE else 0
@@ -128,7 +166,7 @@ class Handling:
         return False
 
     def at(self, t: float) -> tuple[float, ObjectState, str | None] | None:
-        """How likely it was carried at a moment, where it lay if not, and by whom, from all that was seen by now.
+        """How likely it was carried at a moment, where it was, and in whose hand, from all that was seen by now.
 
         None: it was not known yet.
         """
@@ -145,7 +183,15 @@ class Handling:
             lies = lies and moment.carried < 0.5
             if moment.t <= t:
                 share = moment.carried * hand / (moment.carried * hand + (1 - moment.carried) * rest)
-                spot = self.moments[-1].rest if lies else moment.rest
+                spot = self.moments[-1].rest if lies else moment.rest if share < 0.5 else moment.hand
                 return share, ObjectState(spot.x, spot.y, None if self.flat else spot.z), moment.by
             ahead = moment
         return None
+
+
+def _likeliest(
+    ways: Iterable[tuple[float, Belief]], x: float, y: float, z: float, noise: float
+) -> tuple[float, Belief]:
+    """The density of a detection over weighed beliefs, and the likeliest of them corrected by it."""
+    shares = [(share * way.density(x, y, z, noise), way) for share, way in ways]
+    return sum(share for share, _ in shares), max(shares, key=lambda pair: pair[0])[1].corrected(x, y, z, noise)

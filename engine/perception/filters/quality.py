@@ -16,7 +16,7 @@ from casper.engine.perception.world import ObjectState, WorldState
 MEDIAN_OF_SQUARES = 2 * 0.6931471805599453  # of the squared length of a standard normal vector in the plane
 KEPT = 160  # differences, and gaps, that are looked back on
 LEAST = 12  # differences before the noise is told
-PRIOR = 50  # detections without a loss that are taken as seen before any
+PRIOR = 30  # detections without a loss that are taken as seen before any
 
 
 @dataclass(frozen=True, slots=True)

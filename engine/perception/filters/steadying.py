@@ -10,7 +10,7 @@ import math
 from collections import deque
 from dataclasses import dataclass, field
 
-from casper.engine.perception.filters.handling import Handling
+from casper.engine.perception.filters.handling import PUT, TAKEN, Belief, Handling
 from casper.engine.perception.filters.quality import Quality
 from casper.engine.perception.filters.walking import Motion, Way
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
@@ -18,6 +18,7 @@ from casper.engine.perception.world import AgentState, ObjectState, WorldState
 REACH = 1.1  # metres from an agent within which things are taken, carried and put down
 SLOWEST, SURE = 0.12, 0.3  # m/s: below it nobody walks, above it everybody does
 CREEP = 0.03  # metres a step by which the place of one who stands is mended
+HOLDS = 0.3  # the share from which something is in the hand: in the middle of a use it is there for a moment only
 LEAST_NOISE = 0.01  # metres
 LOOKS = 0.3  # seconds around a moment whose headings count
 
@@ -45,6 +46,7 @@ class Steadier:
 
     def __init__(self, since: float, pace: float = 0.5, lag: float = 1.5, bridge: float = 2.0) -> None:
         self.since, self.pace, self.lag, self.bridge = since, pace, lag, bridge
+        self._first_lag = lag
         self._marked = self._told = 0  # paces
         self._people: dict[str, _Person] = {}
         self._things: dict[str, Handling] = {}
@@ -55,16 +57,23 @@ class Steadier:
         while (mark := self._content(self._marked + 1)) <= world.t:
             self._marked += 1
             self._mark(mark)
-        self._sense(world, max(quality.noise or LEAST_NOISE, LEAST_NOISE))
+        self._noise = max(quality.noise or LEAST_NOISE, LEAST_NOISE)
+        self._sense(world, self._noise)
+        self.lag = max(self.lag, self._wanted(quality))
         found = []
-        while self.since + (self._told + 1) * self.pace <= world.t + 1e-9:
+        while self._content(self._told + 1) + self.lag <= world.t + 1e-9:
             self._told += 1
             found.append(self._tell())
         return found
 
     def _content(self, number: int) -> float:
         """The moment that the state of that number is about."""
-        return self.since + number * self.pace - self.lag
+        return self.since + number * self.pace - self._first_lag
+
+    def _wanted(self, quality: Quality) -> float:
+        """The lag, in whole paces, that lets the next detection be waited for, which is rarer where many are lost."""
+        rare = (quality.period or self.pace) / (1.0 - min(quality.lost, 0.75))
+        return self._first_lag + math.ceil(max(1.25 * rare - self.pace, 0.0) / self.pace - 0.5) * self.pace
 
     # --- taking in -------------------------------------------------------------------------------------------------
 
@@ -72,7 +81,7 @@ class Steadier:
         for person in self._people.values():
             person.way.mark(t)
         for name, thing in self._things.items():
-            by, change = self._expect(name, thing, t, None)
+            by, change = self._expect(thing, t, None, None)
             thing.update(t, change, by, None, 1.0, (1.0, 1.0))
 
     def _sense(self, world: WorldState, noise: float) -> None:
@@ -89,16 +98,16 @@ class Steadier:
                 assert seen is not None
                 self._things[name] = Handling(world.t, seen, variance, 0.5 if name in holder else 0.02)
                 continue
-            by, change = self._expect(name, thing, world.t, holder.get(name))
+            by, change = self._expect(thing, world.t, holder.get(name), seen)
             told = _told_of_hand(noise, by, holder.get(name), seen is not None and by in world.agents)
-            if thing.update(world.t, change, by, seen, variance, told):
+            if thing.update(world.t, change, by, seen, variance, told, self._place(by)):
                 self.jumps.append(name)
 
     def _expect(
-        self, name: str, thing: Handling, t: float, holder: str | None
+        self, thing: Handling, t: float, holder: str | None, seen: ObjectState | None
     ) -> tuple[str | None, tuple[float, float]]:
         dt = t - thing.moments[-1].t
-        by = holder or self._near(thing, t)
+        by = holder or self._near(thing.hand if seen is None else seen, t)
         gone = (0.0, 0.0)
         if by is not None:
             motion = self._people[by].way.last
@@ -106,14 +115,18 @@ class Steadier:
                 gone = motion.vx * dt, motion.vy * dt
         return by, thing.expect(dt, by, gone)
 
-    def _near(self, thing: Handling, t: float) -> str | None:
+    def _place(self, name: str | None) -> tuple[float, float] | None:
+        motion = None if name is None else self._people[name].way.last
+        return None if motion is None else (motion.x, motion.y)
+
+    def _near(self, spot: Belief | ObjectState, t: float) -> str | None:
         """Who may have it in the hand: the nearest within reach."""
         best, found = REACH, None
         for name, person in self._people.items():
             motion = person.way.last
             if motion is None or t - person.looks[-1][0] > self.bridge:
                 continue
-            gap = math.hypot(motion.x - thing.hand.x, motion.y - thing.hand.y)
+            gap = math.hypot(motion.x - spot.x, motion.y - spot.y)
             if gap < best:
                 best, found = gap, name
         return found
@@ -123,32 +136,32 @@ class Steadier:
     def _tell(self) -> WorldState:
         moment = self._content(self._told)
         objects: dict[str, ObjectState] = {}
-        held: dict[str, tuple[float, str]] = {}
+        held: dict[str, tuple[float, str | None]] = {}
         for name, thing in self._things.items():
             found = thing.at(moment)
             if found is None:
                 continue
             share, objects[name], by = found
-            if by is not None and share > held.get(by, (0.5, ""))[0]:
-                held[by] = share, name
+            if by is not None and share > held.get(by, (0.0, None))[0]:
+                held[by] = share, name if share > HOLDS else None
         agents = {}
         for name, person in self._people.items():
-            state = self._agent(person, moment, held.get(name, (0.0, None))[1])
+            state = self._agent(person, moment, *held.get(name, (0.0, None)))
             if state is not None:
                 agents[name] = state
-        return WorldState(self.since + self._told * self.pace, agents, objects)
+        return WorldState(moment + self.lag, agents, objects)
 
-    def _agent(self, person: _Person, moment: float, holding: str | None) -> AgentState | None:
+    def _agent(self, person: _Person, moment: float, share: float, holding: str | None) -> AgentState | None:
         motion = person.way.at(moment)
         if motion is None or not self._is_known(person, moment):
             person.told, person.stood = None, 0
             return None
         x, y = motion.x, motion.y
-        if motion.pace > _walks_from(motion):
+        if motion.pace > _walks_from(motion) or (person.stood and _left(person, motion)):
             person.stood = 0
         else:
             x, y = self._stands(person, x, y)
-        person.told = AgentState(x, y, _heading(person, moment), holding)
+        person.told = AgentState(x, y, _heading(person, moment), holding, _evidence(share, self._noise))
         return person.told
 
     def _is_known(self, person: _Person, moment: float) -> bool:
@@ -171,6 +184,22 @@ class Steadier:
         return person.told.x + dx * share, person.told.y + dy * share
 
 
+def _evidence(share: float, noise: float) -> float:
+    """What speaks for it that a hand holds something.
+
+    The less the hands are told of, the likelier one that is near something is free, and the more a small share says.
+    """
+    usual = min(max(0.5 * _told_if_carried(noise), 0.12), 0.5)
+    held, free = share / usual, (1.0 - share) / (1.0 - usual)
+    return held / (held + free)
+
+
+def _left(person: _Person, motion: Motion) -> bool:
+    """Whether somebody is no longer where they were thought to stand."""
+    gap = math.hypot(motion.x - person.middle[0], motion.y - person.middle[1])
+    return gap > max(3 * math.sqrt(motion.place), 0.15)
+
+
 def _walks_from(motion: Motion) -> float:
     """m/s above which somebody walks: more than chance would have it."""
     return min(max(2.5 * math.sqrt(motion.speed), SLOWEST), SURE)
@@ -181,10 +210,15 @@ def _told_of_hand(noise: float, by: str | None, holder: str | None, is_telling: 
 
     A hand is told by how near the thing seems to be, so the more noise the less it says.
     """
-    if_carried, if_near = max(0.95 * math.exp(-((noise / 0.05) ** 2)), 0.07), 0.06
+    if_carried, if_near = _told_if_carried(noise), 0.06
     if holder is not None:
         return if_near, if_carried
     return (1 - if_near, 1 - if_carried) if by is not None and is_telling else (1.0, 1.0)
+
+
+def _told_if_carried(noise: float) -> float:
+    """How often what is in a hand is told to be so, by how near both seem to be."""
+    return max(0.95 * math.exp(-((noise / 0.05) ** 2)), 0.07)
 
 
 def _heading(person: _Person, moment: float) -> float:
