@@ -24,6 +24,9 @@ OF_ALL_KINDS = (
     qsr.Cardinal("projection", 0.25, name="by_projection"),
     qsr.Tpcc(0.5, name="tpcc_tolerance"),
     qsr.Rectangle(0.25, name="rectangle_tolerance"),
+    qsr.QtcC(qsr.Distance(0.0), name="any_motion"),
+    qsr.QtcB(qsr.Distance(0.125), name="an_eighth"),
+    qsr.Mos(qsr.Distance(0.125), name="moves_an_eighth"),
     qsr.Rcc(8, 3, 0.125),
 )
 
