@@ -14,6 +14,7 @@ from casper.report.page import page_of
 from casper.report.payload import script_json
 from casper.report.recorder import MOST_EVENTS, Recorder
 from casper.report.recording import Recording
+from casper.report.story import answers
 from casper.report.thinned import Thinned
 
 EVIL = "</script><script>alert(1)</script><img src=x onerror=alert(1)>\"'&$x"
@@ -79,6 +80,18 @@ def test_plans_for_one_goal_are_one_part_until_its_episode_ends():
     first, second = parts_of(events)
     assert (len(first.plans), first.end, len(first.steps)) == (2, events[3], 1)
     assert (len(second.plans), second.end) == (1, None)
+
+
+def test_of_two_partners_each_part_is_announced_once():
+    events = [
+        plan(1.0, "tea", waiting=["sip(cup)"]),
+        plan(2.0, "tea", waiting=["sip(cup)"], partner="bob"),
+        plan(3.0, "tea"),
+        plan(4.0, "tea", partner="bob"),
+    ]
+    told = dict(answers(Recording("home", ("ann", "bob"), "tiago", tuple(events))))
+    assert told["What did tiago do?"].count("announced") == 2
+    assert told["What did the partners do?"] == "<p>Nothing that the robot made out.</p>"
 
 
 def test_no_name_becomes_a_tag_or_ends_the_data():

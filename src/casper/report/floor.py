@@ -53,7 +53,7 @@ def extent(recording: Recording) -> Box:
 def marks(recording: Recording) -> Iterator[Markup]:
     """Numbers on the floor: where the partner was when an action of theirs was made out."""
     names = {name: at for at, name in enumerate(recording.partners)}
-    tell, number = names_of(recording).tell, 0
+    number = 0
     taken: list[tuple[float, float]] = []
     for event in recording.of_type("reading"):
         state = _state_at(recording, event.t)
@@ -61,7 +61,8 @@ def marks(recording: Recording) -> Iterator[Markup]:
         number += 1
         if agent is None or event.data.get("agent") not in names or number > MOST_MARKS:
             continue
-        about = tag("title", f"{number}: {tell.theirs(event.data['observations'][-1])}, {event.t:g} s")
+        step = names_of(recording, event).tell.theirs(event.data["observations"][-1])
+        about = tag("title", f"{number}: {step}, {event.t:g} s")
         spot = _beside((agent.x, agent.y), taken)
         taken.append(spot)
         dot = tag("circle", r=11)

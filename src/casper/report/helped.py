@@ -85,7 +85,9 @@ def _will(plan: Event, tell: Telling) -> Markup:
 
 
 def _waits(plan: Event, tell: Telling) -> Markup:
-    return chips(map(tell.theirs, plan.data["waiting"])) or tag("span", "its turn", class_="good")
+    partner = str(plan.data.get("partner"))
+    told = chips(tell.step(step, partner) for step in plan.data["waiting"])
+    return told or tag("span", "its turn", class_="good")
 
 
 def _status(event: Event, tell: Telling) -> Markup:

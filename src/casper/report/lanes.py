@@ -56,8 +56,8 @@ def lanes_html(recording: Recording, things: Mapping[str, str], goals: Mapping[s
             _lane(f"{whose}target", _targets(events, axis, things)),
             _lane(f"{whose}movement", _movements(events, axis), legend=MOVES),
             _lane(f"{whose}action", _actions(events, axis, recording), "tall"),
-            _lane("robot", _robot(events, axis, recording), "tall"),
         ]
+    parts.append(_lane("robot", _robot(axis, recording), "tall"))
     ticks = [
         tag("span", f"{t:g} s", style=f"left:{axis.at(t)}%", class_=_corner(axis.at(t)))
         for t in axis.ticks()
@@ -147,46 +147,53 @@ def _runs(rows: Sequence[tuple[float, str | None]]) -> Iterator[tuple[float, flo
 
 def _actions(events: Sequence[Event], axis: Axis, recording: Recording) -> Markup:
     """What was made out, each up to the time when it was; what was thrown out as a mark."""
-    tell, parts, since = names_of(recording).tell, list[Markup](), axis.start
+    parts, since = list[Markup](), axis.start
     numbers = {id(event): at for at, event in enumerate(recording.of_type("reading"), 1)}
     for event in events:
         if event.type == "reading":
-            step = tell.theirs(event.data["observations"][-1])
+            step = names_of(recording, event).tell.theirs(event.data["observations"][-1])
             parts.append(_block(since, event.t, axis, f"{numbers[id(event)]} {step}", "did"))
         if event.type in ("reading", "episode"):
             since = event.t
         elif event.type == "verdict" and not event.data["valid"]:
             why = "; ".join(event.data["reasons"])
-            told = f"thrown out at {event.t:g} s: {tell.statement(event.data['statement'])}. {why}"
+            told = f"thrown out at {event.t:g} s: {names_of(recording).tell.statement(event.data['statement'])}. {why}"
             parts.append(tag("span", "✘", class_="cross", style=f"left:{axis.at(event.t)}%", title=told))
     return joined(parts)
 
 
-def _robot(events: Sequence[Event], axis: Axis, recording: Recording) -> Markup:
-    """Waiting, and then step by step: each from when it was asked for, or the last was over, until it was over."""
-    tell, parts = names_of(recording).tell, list[Markup]()
-    waits: float | None = None
-    since, asked = axis.start, list[str]()
-    for event in (e for e in events if e.type in ("plan", "withdrawn", "robot", "episode")):
+def _robot(axis: Axis, recording: Recording) -> Markup:
+    """Where it waits, and over that what it does, from when it was asked, or was free, until it was over."""
+    tell, parts = names_of(recording).tell, list(_waiting(axis, recording))
+    asked: dict[str, float] = {}
+    free = axis.start
+    for event in recording.of_type("robot", "withdrawn"):
         data = event.data
-        is_waiting = event.type == "plan" and bool(data["waiting"]) and bool(data["actions"])
-        if waits is not None and not is_waiting and event.type != "robot":
-            parts.append(_block(waits, event.t, axis, "waits", "waits"))
-            waits = None
-        if is_waiting and waits is None:
-            waits = event.t
-        if event.type == "robot" and data["status"] == "asked":
-            since = event.t if not asked else since
-            asked.append(data["action"])
-        elif event.type == "robot":
-            step = tell.step(data["action"], str(data.get("agent", recording.robot)))
-            parts.append(_block(since, event.t, axis, step, f"act {data['status']}"))
-            since, asked = event.t, [action for action in asked if action != data["action"]]
-        elif event.type == "withdrawn":
-            asked = []
+        if event.type == "withdrawn":
             place = f"left:{axis.at(event.t)}%"
             parts.append(tag("span", "✗", class_="cross took", style=place, title=data["because"]))
+        elif data["status"] == "asked":
+            asked[data["action"]] = event.t
+        else:
+            step = tell.step(data["action"], str(data.get("agent", recording.robot)))
+            since = max(free, asked.get(data["action"], free))
+            parts.append(_block(since, event.t, axis, step, f"act {data['status']}"))
+            free = event.t
     return joined(parts)
+
+
+def _waiting(axis: Axis, recording: Recording) -> Iterator[Markup]:
+    """From each announcement that waits for something until the next one, or until it is taken back or over."""
+    since: dict[str, float] = {}
+    for event in recording.of_type("plan", "withdrawn", "episode"):
+        partner = str(event.data.get("partner", event.data.get("agent")))
+        waits = event.type == "plan" and bool(event.data["waiting"]) and bool(event.data["actions"])
+        if partner in since and not waits:
+            yield _block(since.pop(partner), event.t, axis, "waits", "waits")
+        elif waits:
+            since.setdefault(partner, event.t)
+    for start in since.values():
+        yield _block(start, axis.end, axis, "waits", "waits")
 
 
 def _block(start: float, end: float, axis: Axis, text: str, kind: str, colour: str = "") -> Markup:

@@ -17,6 +17,7 @@ from casper.report.recording import Recording
 from casper.report.steps import steps_html
 from casper.report.story import answers, moments, moments_html, names_of
 
+MOST_PARTNERS = 4
 MOST_BELIEVED = 12  # goals with a bar that moves
 
 
@@ -39,7 +40,7 @@ def page_of(recording: Recording) -> str:
         answers=joined(tag("div", tag("h2", asked), tag("div", told)) for asked, told in answers(recording)),
         floor=floor_svg(recording, things),
         moments=moments_html(moments(recording)),
-        believed=_believed(goals),
+        believed=joined(_believed(partner, goals, recording) for partner in recording.partners[:MOST_PARTNERS]),
         lanes=lanes_html(recording, things, goals),
         steps=steps_html(recording),
         parts=parts_html(recording),
@@ -80,14 +81,16 @@ def _about(recording: Recording) -> Markup:
     return text(" · ".join(parts))
 
 
-def _believed(goals: dict[str, str]) -> Markup:
+def _believed(partner: str, goals: dict[str, str], recording: Recording) -> Markup:
     """A bar for each goal, which the script sets."""
 
     def row(goal: str, colour: str) -> Markup:
         empty = tag("span", tag("i", style=f"background:{colour}"), class_="bar")
         return tag("tr", tag("td", goal), tag("td", empty), tag("td", "0.00"), data_goal=goal)
 
-    return tag("table", *(row(goal, colour) for goal, colour in list(goals.items())[:MOST_BELIEVED]))
+    named = [tag("caption", names_of(recording).tell.name(partner))] if len(recording.partners) > 1 else []
+    rows = (row(goal, colour) for goal, colour in list(goals.items())[:MOST_BELIEVED])
+    return tag("table", *named, *rows, data_whose=partner)
 
 
 def _left_out(recording: Recording) -> Markup:

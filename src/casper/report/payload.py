@@ -59,7 +59,7 @@ def _columns(recording: Recording) -> dict[str, Any]:
 def _told(recording: Recording) -> dict[str, str]:
     tell = names_of(recording).tell
     plans = recording.of_type("plan")
-    theirs = {step: tell.theirs(step) for plan in plans for step in plan.data["waiting"]}
+    theirs = {step: tell.step(step, str(plan.data.get("partner"))) for plan in plans for step in plan.data["waiting"]}
     ours = {step: tell.step(step, plan.data["agent"]) for plan in plans for step in plan.data["actions"]}
     states = recording.states
     names = {*recording.partners, recording.robot, *(name for state in states for name in state.objects)}

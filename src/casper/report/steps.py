@@ -41,7 +41,7 @@ def _articles(recording: Recording, numbered: list[tuple[int, Event]], tell: Tel
         evidence = recording.evidence.get(at, NO_EVIDENCE)
         if event.type == "reading":
             number += 1
-            yield _read(number, event, evidence, verdict, tell, before)
+            yield _read(number, event, evidence, verdict, names_of(recording, event).tell, before)
             verdict, before = None, _against(event.data)
         elif event.data["valid"]:
             verdict = (event, evidence)

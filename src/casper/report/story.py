@@ -31,16 +31,17 @@ class Moment:
     lines: tuple[Line, ...]
 
 
-def names_of(recording: Recording) -> Names:
-    """What the first partner and the robot are called."""
-    return Names(recording.partners[0], recording.robot, recording.words)
+def names_of(recording: Recording, event: Event | None = None) -> Names:
+    """What the robot and the partner whom an event is about are called; the first partner without one."""
+    about = () if event is None else (event.data.get("partner"), event.data.get("agent"))
+    partner = next((name for name in about if name in recording.partners), recording.partners[0])
+    return Names(partner, recording.robot, recording.words)
 
 
 def moments(recording: Recording) -> list[Moment]:
     """What happened, in the lines of the timeline without their margin; what was asked of the robot its plan told."""
-    names = names_of(recording)
     return [
-        Moment(at, event.t, _kind(event), tuple(map(_without_margin, event.lines(names))))
+        Moment(at, event.t, _kind(event), tuple(map(_without_margin, event.lines(names_of(recording, event)))))
         for at, event in enumerate(recording.events)
         if event.type in TOLD and event.data.get("status") != "asked"
     ]
@@ -54,7 +55,7 @@ def answers(recording: Recording) -> list[tuple[str, Markup]]:
     return [
         (f"What did {who} do?", _done(recording, tell)),
         (f"When did {robot} know?", _known(recording, tell)),
-        ("Why?", _why(recording, tell)),
+        ("Why?", _why(recording)),
         (f"What did {robot} do?", _helped(recording, tell)),
     ]
 
@@ -74,18 +75,20 @@ def _without_margin(spans: Line) -> Line:
 
 
 def _done(recording: Recording, tell: Telling) -> Markup:
-    rows = [_by(recording, event, tell.statement(event.data["completed"])) for event in _valid(recording)]
-    rows = rows or [
-        _by(recording, event, tell.theirs(event.data["observations"][-1])) for event in recording.of_type("reading")
-    ]
+    rows = [_by(event, tell.statement(event.data["completed"])) for event in _valid(recording)]
+    rows = rows or [_by(event, _last_seen(recording, event)) for event in recording.of_type("reading")]
     return _listed(rows) if rows else tag("p", "Nothing that the robot made out.")
+
+
+def _last_seen(recording: Recording, reading: Event) -> str:
+    return names_of(recording, reading).tell.theirs(reading.data["observations"][-1])
 
 
 def _valid(recording: Recording) -> list[Event]:
     return [event for event in recording.of_type("verdict") if event.data["valid"]]
 
 
-def _by(recording: Recording, event: Event, told: str) -> Markup:
+def _by(event: Event, told: str) -> Markup:
     return joined([seconds(event.t), " ", told])
 
 
@@ -120,16 +123,21 @@ def _truth(recording: Recording, tell: Telling) -> Iterator[Markup]:
     end = recording.summary
     if end is None or end.data.get("goal") is None:
         return
-    wanted = end.data.get("goals") or [end.data["goal"]]
+    wanted = [_wanted(row, tell, len(recording.partners) > 1) for row in end.data.get("partners", [end.data])]
     right = end.data.get("correct")
     mark = tag("span", "right" if right else "wrong", class_="good" if right else "bad")
-    yield tag("p", "Really wanted: ", ", then ".join(map(tell.goal, wanted)), ". The reading was ", mark, ".")
+    yield tag("p", "Really wanted: ", "; ".join(wanted), ". The reading was ", mark, ".")
 
 
-def _why(recording: Recording, tell: Telling) -> Markup:
+def _wanted(row: Any, tell: Telling, named: bool) -> str:
+    goals = ", then ".join(map(tell.goal, row.get("goals") or [row["goal"]]))
+    return f"{tell.name(row['agent'])}: {goals}" if named else goals
+
+
+def _why(recording: Recording) -> Markup:
     """The reading behind each prediction: what was seen, and what speaks against the other goals."""
     found = [(event, reading) for event in recording.of_type("prediction") if (reading := _behind(recording, event))]
-    parts = [_reason(event.data["goal"], reading.data, tell) for event, reading in found[:MOST]]
+    parts = [_reason(e.data["goal"], reading.data, names_of(recording, e).tell) for e, reading in found[:MOST]]
     return joined(parts) if parts else tag("p", "No goal explained what was seen before all others.")
 
 
@@ -193,13 +201,13 @@ def _announced(data: Any, tell: Telling) -> Markup:
 
 def _is_new(recording: Recording, plan: Event) -> bool:
     """Whether the plan was not announced before it with the same part for the same goal."""
-    same = ("goal", "partner", "actions")
     last = None
     for event in recording.of_type("plan", "withdrawn", "episode"):
         if event is plan:
             break
-        last = event if event.type == "plan" else None
-    return last is None or any(last.data.get(key) != plan.data.get(key) for key in same)
+        if event.data.get("partner", event.data.get("agent")) == plan.data.get("partner"):
+            last = event if event.type == "plan" else None
+    return last is None or any(last.data[key] != plan.data[key] for key in ("goal", "actions"))
 
 
 def _result(recording: Recording) -> Iterator[Markup]:

@@ -7,7 +7,7 @@
   const slider = byId("slider"), clock = byId("clock"), play = byId("play"), speed = byId("speed");
   const all = (selector, root) => Array.from((root || document).querySelectorAll(selector));
   const keyed = (attribute) => new Map(all(`[data-${attribute}]`).map((e) => [e.getAttribute(`data-${attribute}`), e]));
-  const agents = keyed("agent"), objects = keyed("object"), trails = keyed("trail"), gazes = keyed("gaze"), goals = keyed("goal");
+  const agents = keyed("agent"), objects = keyed("object"), trails = keyed("trail"), gazes = keyed("gaze"), tables = all("[data-whose]");
   const moments = all(".moments li"), articles = all("article[data-t]"), lanes = document.querySelector(".lanes");
   const times = Array.from(new Set(moments.map((e) => Number(e.dataset.t)))).sort((a, b) => a - b);
   const ofType = (...types) => events.filter((e) => types.includes(e.type));
@@ -86,25 +86,32 @@
       lines.push(whose + what + (holding ? `, holds ${said(holding)}` : "") + (seen && seen.target ? `, attends to ${said(seen.target)}` : ""));
     }
     byId("does").textContent = lines.join("; ");
-    const state = latest(believed.filter((e) => e.agent === data.partners[0]), now), shares = state && state.type === "reading" ? state.posterior : {};
-    for (const [goal, row] of goals) {
-      const share = shares[goal] || 0;
-      row.querySelector("i").style.width = `${100 * share}%`;
-      row.lastElementChild.textContent = share.toFixed(2);
+    for (const table of tables) {
+      const state = latest(believed.filter((e) => (e.agent ?? table.dataset.whose) === table.dataset.whose), now);
+      const shares = state && state.type === "reading" ? state.posterior : {};
+      for (const row of all("[data-goal]", table)) {
+        const share = shares[row.dataset.goal] || 0;
+        row.querySelector("i").style.width = `${100 * share}%`;
+        row.lastElementChild.textContent = share.toFixed(2);
+      }
     }
     byId("helps").textContent = helping();
   }
-  function helping() {
-    let waits = "", asked = [];
+  function helping() { // what was asked for part by part, and what is waited for; a part is one partner's
+    let asked = [];
+    const waits = new Map();
+    const waiting = (e) => `waits until ${said(e.waiting[0])}${e.waiting.length > 1 ? ` and ${e.waiting.length - 1} more` : ""}`;
     for (const e of told) {
       if (e.t > now + 1e-9) break;
-      if (e.type === "plan") waits = e.actions.length ? (e.waiting.length ? `waits until ${said(e.waiting[0])}${e.waiting.length > 1 ? ` and ${e.waiting.length - 1} more` : ""}` : "") : "can do nothing of what is left";
-      else if (e.type === "robot" && e.status === "asked") asked.push(e.action);
-      else if (e.type === "robot") { asked = asked.filter((action) => action !== e.action); }
-      else if (e.type === "withdrawn") { waits = ""; asked = []; }
-      else if (!asked.length) waits = "";
+      const whose = e.partner ?? e.agent, others = asked.filter((each) => each.whose !== whose);
+      if (e.type === "plan") waits.set(whose, !e.actions.length ? "can do nothing of what is left" : e.waiting.length ? waiting(e) : "");
+      else if (e.type === "robot" && e.status === "asked") asked.push({ action: e.action, whose });
+      else if (e.type === "robot" && e.status === "failed") asked = others;
+      else if (e.type === "robot") { const at = asked.findIndex((each) => each.action === e.action); if (at >= 0) asked.splice(at, 1); }
+      else { waits.delete(whose); if (e.type === "withdrawn") asked = others; }
     }
-    return asked.length ? `is on its way: ${said(asked[0])}` : waits || "watches";
+    if (asked.length) return `is on its way: ${said(asked[0].action)}`;
+    return Array.from(waits.values()).filter(Boolean).join("; ") || "watches";
   }
   function showList() {
     let current = null;
