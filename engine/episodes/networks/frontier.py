@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import takewhile
 from typing import Any, NamedTuple
 
 from casper.engine.episodes.networks.asking import Asked, Asking, Failed
@@ -147,13 +148,13 @@ class Frontier:
         return mask
 
     def _obstacles(self, body: Row, env: Env) -> float:
-        """A great number where a condition that the body begins with is known to fail as things are."""
+        """A great number where a condition that the body begins with is known to fail as things are.
+
+        What looks back at what was done is not known yet where something is to be done before.
+        """
         if self.asking.kb is None:
             return 0.0
-        due = []
-        for item in body:
-            if item[0] is not COND:
-                break
-            due.append(self.asking.due(item[1]))
-        settled = self.asking.settled((*due, *self.open), env)
+        begins_with = takewhile(lambda item: item[0] is COND, body)
+        due = [self.asking.due(item[1]) for item in begins_with]
+        settled = self.asking.settled((*(one for one in due if not (one[0] and self.found)), *self.open), env)
         return 1e9 if isinstance(settled, Failed) else 0.0

@@ -10,6 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from tellers import Counting
 
+from casper.engine.domain.domain import Domain
 from casper.engine.verification.observation import Observation
 from casper.engine.verification.verified_matching import VerifyingMatcher
 from casper.kb.base import KnowledgeBase
@@ -170,3 +171,11 @@ def test_steps_that_share_who_does_them_are_of_one_agent():
     [step] = going.steps(going.begin(0), Observation("pick", ("cup",)), "ann")
     assert not going.steps(step.state, Observation("wash", ("cup",)), "rob")
     assert going.steps(step.state, Observation("wash", ("cup",)), "ann")
+
+
+def test_what_looks_back_is_no_obstacle_where_something_is_to_be_done_before():
+    text = "human(ann). act(A, X) :- human(A), thing(X). thing(cup). there :- did(act(_, nothing), _)."
+    plans = "goal(achieve). achieve --> {there}. achieve --> act(X), achieve."
+    reading = Domain.from_text(text, plans).reading()
+    reading.observe("act(cup)")
+    assert len(reading.frontier) == 1
