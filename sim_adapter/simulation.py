@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -66,6 +67,7 @@ class Simulation:
         self.robot.post = vantage(self.physics, self.sensor, robot_ways, robot_start[:2])
         self._attention = Attention(self.sensor, self.robot.head, self.people)
         self._ticks = 0
+        self.each_glance: Callable[[], object] = bool  # called whenever the robot looks after the partner
         self._taken: dict[str, str] = {}  # which place somebody has gone to with something
 
     @property
@@ -84,6 +86,7 @@ class Simulation:
             if self._ticks % GLANCE == 0:
                 self._attention.update()
                 self._make_way()
+                self.each_glance()
             for human in self.people.values():
                 human.tick()
             self.robot.tick()

@@ -19,6 +19,7 @@ PACKAGE = "casper-hri"
 PURPOSES: Mapping[str, str] = {
     "": "everything but what is below",
     "sim": "casper run; examples in a room",
+    "video": "casper run --video",
     "train": "casper train",
     "plot": "casper explain --picture",
     "tables": "casper batch with .parquet; pandas and Arrow in Python",
