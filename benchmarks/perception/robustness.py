@@ -3,8 +3,8 @@
     python benchmarks/perception/robustness.py [--seeds 15] [--first 400] [--rows noise_6,cheap] [--jobs 2]
         [--out FILE.csv] [--plot FILE.png]
 
-The right goal: the last one announced is what the partner wants. Helped: the robot's part is physically finished. Wrong:
-trials in which another goal was ever announced, or the robot did what is no step of the partner's plan.
+Right: the last goal announced is what the partner wants. Helped: the robot's part is physically finished. Wrong: trials
+in which another goal was ever announced, or the robot did what is no step of the partner's plan.
 """
 
 import argparse
