@@ -118,7 +118,8 @@ class Mind:
                 and the mind can go on with the next one.
             CasperError: the mind was told to stop at an action that fits no plan, and there was one.
         """
-        return [event for steady in self.tracker.steps(world) for event in self.notice(steady)]
+        steady = self.tracker.steps(world)
+        return [*jumps(self.tracker, world.t), *(event for state in steady for event in self.notice(state))]
 
     def notice(self, world: WorldState) -> list[Event]:
         """As `update`, of a world state that a tracker has been through."""
@@ -238,6 +239,12 @@ class Mind:
             self._lost = lost
             room = f"setting(verification, remembered, {self.history.most}) leaves no room for it"
             yield Event("warning", t, {"message": f"did/2 no longer has {term_text(as_term(lost))}: {room}"})
+
+
+def jumps(tracker: Tracker, t: float) -> list[Event]:
+    """Told of what was suddenly elsewhere."""
+    told = "is suddenly somewhere else, with nobody near who could have brought it there"
+    return [Event("warning", t, {"message": f"{name} {told}"}) for name in tracker.jumps]
 
 
 def _focus_event(focus: Focus) -> Event:

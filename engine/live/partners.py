@@ -8,7 +8,7 @@ from typing import Any
 from casper.engine.domain.agents import is_known
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
-from casper.engine.mind import Mind
+from casper.engine.mind import Mind, jumps
 from casper.engine.perception.tracking import Tracker
 from casper.engine.perception.world import WorldState
 from casper.engine.reading.course import Course
@@ -46,7 +46,9 @@ class Partners:
         Raises:
             WorldStateError, CasperError: as `Mind.update`.
         """
-        return [event for tracked in self.first.tracker.steps(world) for event in self._noticed(tracked)]
+        tracker = self.first.tracker
+        steady = tracker.steps(world)
+        return [*jumps(tracker, world.t), *(event for state in steady for event in self._noticed(state))]
 
     def _noticed(self, tracked: WorldState) -> list[Event]:
         events = [*self._met(tracked)]

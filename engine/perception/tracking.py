@@ -23,6 +23,10 @@ class TrackerSettings:
     position, 0 is off. hold_bridge: for how many steps a hand that seems empty still holds. hold_confirm:
     how many steps in a row an object must be seen in the hand to count as held. agent_bridge: seconds an
     agent that is out of sight is thought to go on as it went; 0 leaves it absent.
+
+    steady: whether a sensor that is found to be poor is filtered (`engine.perception.filters`). It is poor from
+    steady_noise metres of noise, steady_lost lost detections (a share), or steady_period seconds from state to state.
+    It is then told at a pace of seconds, with a lag of seconds at least.
     """
 
     enabled: bool = True
@@ -41,8 +45,9 @@ class TrackerSettings:
     lag: float = 1.5
 
     def __post_init__(self) -> None:
-        for name in ("gate", "agent_gate", "agent_bridge"):
+        for name in ("gate", "agent_gate", "agent_bridge", "steady_noise", "steady_lost", "steady_period", "lag"):
             require(getattr(self, name) >= 0.0, f"{name} of the tracker must not be negative")
+        require(self.pace > 0.0, "pace of the tracker must be above 0")
         require(self.memory >= 1 and self.outliers >= 1, "memory and outliers of the tracker start at 1")
         require(self.hold_bridge >= 0 and self.hold_confirm >= 1, "hold_bridge starts at 0, hold_confirm at 1")
 
@@ -76,6 +81,11 @@ class Tracker:
         self._steadier: Steadier | None = None
         self._recent: deque[WorldState] = deque(maxlen=RECENT)
         self._last = -math.inf
+
+    @property
+    def jumps(self) -> tuple[str, ...]:
+        """What was found elsewhere, with nobody near who could have brought it, at the last world state."""
+        return () if self._steadier is None else tuple(self._steadier.jumps)
 
     @property
     def quality(self) -> Quality:

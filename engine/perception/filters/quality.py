@@ -16,6 +16,7 @@ from casper.engine.perception.world import ObjectState, WorldState
 MEDIAN_OF_SQUARES = 2 * 0.6931471805599453  # of the squared length of a standard normal vector in the plane
 KEPT = 160  # differences, and gaps, that are looked back on
 LEAST = 12  # differences before the noise is told
+OFTEN = 10  # world states between two estimates, once there is enough to look back on
 PRIOR = 30  # detections without a loss that are taken as seen before any
 
 
@@ -42,6 +43,7 @@ class Gauge:
         self._gaps: deque[bool] = deque(maxlen=KEPT)
         self._before: Mapping[str, ObjectState] = {}
         self._earlier: Mapping[str, ObjectState] = {}
+        self._count = 0
         self.quality = Quality()
 
     def update(self, world: WorldState) -> Quality:
@@ -56,6 +58,9 @@ class Gauge:
             if name in self._earlier:
                 self._gaps.append(name not in before)
         self._earlier, self._before = before, now
+        self._count += 1
+        if len(self._squares) == KEPT and self._count % OFTEN:
+            return self.quality
         self.quality = Quality(self._noise(), sum(self._gaps) / (len(self._gaps) + PRIOR), self._period())
         return self.quality
 

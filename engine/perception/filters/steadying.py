@@ -1,7 +1,7 @@
 """World states of a poor sensor made steady: filtered, and told at an even pace, a little later.
 
-What is told at a time is the world as it was ``lag`` seconds before, in the light of what was seen since. Agents stand or
-walk, things rest or are carried; which of both is decided by likelihoods. Who is not seen for long is absent.
+What is told at a time is the world as it was ``lag`` seconds before, in the light of what was seen since. Agents stand
+or walk, things rest or are carried; which of both is decided by likelihoods. Who is not seen for long is absent.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import math
 from collections import deque
 from dataclasses import dataclass, field
 
-from casper.engine.perception.filters.handling import PUT, TAKEN, Belief, Handling
+from casper.engine.perception.filters.handling import Belief, Handling
 from casper.engine.perception.filters.quality import Quality
 from casper.engine.perception.filters.walking import Motion, Way
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
@@ -47,6 +47,7 @@ class Steadier:
     def __init__(self, since: float, pace: float = 0.5, lag: float = 1.5, bridge: float = 2.0) -> None:
         self.since, self.pace, self.lag, self.bridge = since, pace, lag, bridge
         self._first_lag = lag
+        self._noise = LEAST_NOISE
         self._marked = self._told = 0  # paces
         self._people: dict[str, _Person] = {}
         self._things: dict[str, Handling] = {}
@@ -80,7 +81,7 @@ class Steadier:
     def _mark(self, t: float) -> None:
         for person in self._people.values():
             person.way.mark(t)
-        for name, thing in self._things.items():
+        for thing in self._things.values():
             by, change = self._expect(thing, t, None, None)
             thing.update(t, change, by, None, 1.0, (1.0, 1.0))
 

@@ -1,7 +1,7 @@
 """An agent's way: a Kalman filter of constant velocity, and a smoother that looks a little ahead.
 
-The plane's two axes have the same noise, so they share one covariance. A node is a moment at which the estimate is kept:
-of a detection, or one that somebody wants to know about.
+The plane's two axes have the same noise, so they share one covariance. A node is a moment at which the estimate is
+kept: of a detection, or one that somebody wants to know about.
 """
 
 from __future__ import annotations

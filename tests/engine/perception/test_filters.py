@@ -1,0 +1,181 @@
+"""Poor sensors: noise estimated on the way, who walks, what is carried, what is not known."""
+
+import math
+import random
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from casper.engine.perception.filters.quality import Gauge, Quality
+from casper.engine.perception.filters.steadying import Steadier
+from casper.engine.perception.filters.walking import Way
+from casper.engine.perception.tracking import Tracker, TrackerSettings
+from casper.engine.perception.world import AgentState, ObjectState, WorldState
+
+PLACES = {"cup": (1.0, 0.0, 0.8), "pan": (3.0, 2.0, 0.9), "box": (-2.0, 1.0, 0.7), "jar": (0.0, 3.0, 1.0)}
+
+
+def scene(t, source, noise, at=(0.0, 0.0), things=PLACES, lost=0.0):
+    seen = {
+        name: ObjectState(*(value + source.gauss(0, noise) for value in place))
+        for name, place in things.items()
+        if source.random() >= lost
+    }
+    human = AgentState(at[0] + source.gauss(0, noise), at[1] + source.gauss(0, noise), 0.0)
+    return WorldState(t, {"human": human}, seen)
+
+
+def resting(noise, steps=40, pace=0.5, lost=0.0, seed=1):
+    source = random.Random(seed)
+    return [scene(n * pace, source, noise, lost=lost) for n in range(steps)]
+
+
+def carried(noise, seed=1, name="cup"):
+    """The human stands by the cup for 6 s, carries it 4 m in 8 s, and stands for 6 s more."""
+    source, worlds = random.Random(seed), []
+    for n in range(40):
+        t = n * 0.5
+        x = min(max(t - 6.0, 0.0), 8.0) * 0.5
+        things = {**PLACES, "cup": (1.0 + x, 0.0, 0.8 if t < 6.0 or t > 14.0 else 1.0)}
+        worlds.append(scene(t, source, noise, (0.6 + x, 0.0), things))
+    return [_renamed(world, {"cup": name}) for world in worlds]
+
+
+def _renamed(world, names):
+    return WorldState(world.t, world.agents, {names.get(name, name): o for name, o in world.objects.items()})
+
+
+def steadied(worlds, **chosen):
+    tracker = Tracker(TrackerSettings(**chosen))
+    return [state for world in worlds for state in tracker.steps(world)], tracker
+
+
+def test_the_noise_of_things_at_rest_is_estimated():
+    gauge = Gauge()
+    for world in resting(0.05):
+        gauge.update(world)
+    assert abs(gauge.quality.noise - 0.05) < 0.01
+
+
+def test_the_share_of_lost_detections_is_estimated_and_never_too_high_at_first():
+    gauge, told = Gauge(), []
+    for world in resting(0.01, 120, lost=0.4):
+        told.append(gauge.update(world).lost)
+    assert told[2] < 0.1 and 0.25 < told[-1] < 0.45
+
+
+def test_a_good_sensor_is_tracked_as_ever():
+    for pace in (0.1, 0.5, 1.0):
+        worlds = resting(0.01, 60, pace, lost=0.02)
+        usual = Tracker(TrackerSettings())
+        assert steadied(worlds)[0] == [usual.update(world) for world in worlds]
+
+
+def test_the_pace_of_a_slow_sensor_is_made_even():
+    told = [state.t for state in steadied(resting(0.01, 20, 2.0))[0]]
+    assert {round(b - a, 6) for a, b in zip(told[8:], told[9:])} == {0.5}
+
+
+def test_time_advances_through_the_change_to_filters():
+    told = [state.t for state in steadied(resting(0.06))[0]]
+    assert all(a < b for a, b in zip(told, told[1:])) and len(told) > 30
+
+
+def test_filters_at_rest_come_to_the_true_places():
+    last = steadied(resting(0.06, 120))[0][-1]
+    for name, place in PLACES.items():
+        assert math.dist(place, (last.objects[name].x, last.objects[name].y, last.objects[name].z)) < 0.03
+    assert math.hypot(last.agents["human"].x, last.agents["human"].y) < 0.03
+
+
+def test_a_way_at_rest_becomes_surer_than_its_detections():
+    way, source = Way(), random.Random(2)
+    for n in range(50):
+        way.seen(n * 0.5, source.gauss(0, 0.06), source.gauss(0, 0.06), 0.0036)
+    assert way.last is not None and way.last.place < 0.0036
+
+
+def test_smoothing_follows_a_walk_of_constant_speed():
+    way, source = Way(), random.Random(4)
+    for n in range(30):
+        if n == 20:
+            way.mark(10.0)
+        way.seen(n * 0.5, 0.3 * n + source.gauss(0, 0.06), source.gauss(0, 0.06), 0.0036)
+    found = way.at(10.0)
+    assert found is not None and math.dist((found.x, found.y), (6.0, 0.0)) < 0.1 and abs(found.vx - 0.6) < 0.15
+
+
+def test_what_moves_along_with_somebody_is_in_their_hand_though_no_hand_is_told_of():
+    held = {state.t: state.agents["human"].holding for state in steadied(carried(0.06))[0]}
+    assert [held[t] for t in (10.0, 12.0, 14.0)] == ["cup"] * 3
+
+
+def test_what_was_put_down_is_in_no_hand_and_where_it_was_put():
+    last = steadied(carried(0.06))[0][-1]
+    assert last.agents["human"].holding is None
+    assert math.hypot(last.objects["cup"].x - 5.0, last.objects["cup"].y) < 0.1
+
+
+@settings(max_examples=5)
+@given(st.integers(0, 10**6))
+def test_nobody_walks_who_stands(seed):
+    states = steadied(resting(0.06, seed=seed))[0][10:]
+    steps = [
+        math.hypot(b.agents["human"].x - a.agents["human"].x, b.agents["human"].y - a.agents["human"].y)
+        for a, b in zip(states, states[1:])
+    ]
+    assert sum(step > 0.045 for step in steps) <= 3  # what counts as moving, .09 m/s
+
+
+@settings(max_examples=5)
+@given(st.integers(0, 10**6), st.sampled_from(["a", "mug", "zebra"]))
+def test_names_do_not_matter(seed, name):
+    usual, other = steadied(carried(0.06, seed))[0], steadied(carried(0.06, seed, name))[0]
+    for a, b in zip(usual, other, strict=True):
+        renamed = _renamed(a, {"cup": name})
+        assert b.objects == renamed.objects
+        assert b.agents["human"].holding == {"cup": name}.get(a.agents["human"].holding, a.agents["human"].holding)
+
+
+def test_nothing_is_known_of_somebody_who_is_not_seen_for_long():
+    worlds = resting(0.06, 40)
+    gone = [WorldState(w.t, {} if w.t > 10.0 else w.agents, w.objects) for w in worlds]
+    present = {state.t: "human" in state.agents for state in steadied(gone)[0]}
+    assert present[10.0] and not any(there for t, there in present.items() if t > 14.0)
+
+
+def test_a_thing_never_seen_is_nowhere():
+    assert all(set(state.objects) <= set(PLACES) for state in steadied(resting(0.06))[0])
+
+
+def test_what_is_suddenly_elsewhere_is_reported_once_and_believed():
+    source, reported = random.Random(3), []
+    tracker = Tracker(TrackerSettings())
+    for n in range(50):
+        things = PLACES if n < 30 else {**PLACES, "pan": (-3.0, -3.0, 0.9)}
+        states = tracker.steps(scene(n * 0.5, source, 0.05, things=things))
+        reported += [(n, name) for name in tracker.jumps]
+    assert [name for _, name in reported] == ["pan"] and reported[0][0] < 35
+    assert math.hypot(states[-1].objects["pan"].x + 3.0, states[-1].objects["pan"].y + 3.0) < 0.1
+
+
+def test_a_sensor_that_sees_a_plane_only_keeps_to_it():
+    worlds = [
+        WorldState(w.t, w.agents, {name: ObjectState(o.x, o.y) for name, o in w.objects.items()})
+        for w in resting(0.06)
+    ]
+    assert all(thing.z is None for state in steadied(worlds)[0] for thing in state.objects.values())
+
+
+def test_the_lag_grows_with_the_time_between_two_detections():
+    quick, slow = Steadier(0.0), Steadier(0.0)
+    for n in range(12):
+        quick.update(resting(0.06, 12)[n], Quality(0.06, 0.0, 0.5))
+        slow.update(resting(0.06, 12, 2.0)[n], Quality(0.06, 0.0, 2.0))
+    assert quick.lag == 1.5 < slow.lag
+
+
+def test_filters_can_be_switched_off():
+    worlds = resting(0.06)
+    usual = Tracker(TrackerSettings())
+    assert steadied(worlds, steady=False)[0] == [usual.update(world) for world in worlds]
