@@ -18,6 +18,7 @@ from casper.engine.episodes.networks.items.terms import (
     Env,
     Row,
     Slot,
+    key_of,
     numbered,
     resolve,
     slots_of,
@@ -93,9 +94,10 @@ class Closing:
         known = self._links.get(key)
         if known is None:
             start = numbered(key, {}, {})
-            known = self.asking.closing.get(start)
+            same = key_of(start)
+            known = self.asking.closing.get(same)
             if known is None:
-                known = self.asking.closing[start] = self._search(start)
+                known = self.asking.closing[same] = self._search(start)
             self._links[key] = known
         return known
 

@@ -10,7 +10,7 @@ equal states are one step, with the fewest misses.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from casper.engine.collaboration.collaboration import CollaborativePlan, longest_run
@@ -30,6 +30,7 @@ from casper.engine.episodes.networks.items.terms import (
     Slot,
     interned,
     inward,
+    key_of,
     moved,
     numbered,
     outward,
@@ -103,8 +104,8 @@ class Networks:
         self._goals = [(label, inward(term, {})) for label, term in goals]
         self.was_cut = False
         self._growths: dict[tuple[Observation, str | None, int], Growth] = {}
-        self._choices: dict[State, int] = {}
-        self._least: dict[Row, int] = {}
+        self._choices: dict[Hashable, int] = {}  # by rest
+        self._least: dict[Hashable, int] = {}
         self._derived: dict[tuple[State, tuple[Compound, ...]], Done | None] = {}
 
     # --- what there is ---------------------------------------------------------------------------------------------
@@ -189,7 +190,7 @@ class Networks:
 
     def _can_close(self, state: State, growth: Growth) -> bool:
         """Whether what is open may still be done."""
-        known, key = self.asking.closing, (state.rest, state.open)
+        known, key = self.asking.closing, key_of((state.rest, state.open))
         if key not in known:
             if len(known) > MOST_KEPT:
                 known.clear()
@@ -231,14 +232,15 @@ class Networks:
 
     def choices(self, state: State) -> int:
         """How many leaves could come next without a miss: open actions, and names that open tasks begin with."""
-        known = self._choices.get(state)
+        key = key_of(state.rest)
+        known = self._choices.get(key)
         if known is None:
             if len(self._choices) > MOST_KEPT:
                 self._choices.clear()
             found: set[Any] = set()
             names: set[Indicator] = set()
             self.methods.add_first(state.rest, found, names)
-            known = self._choices[state] = len(found) + len(names - {indicator(action) for action in found})
+            known = self._choices[key] = len(found) + len(names - {indicator(action) for action in found})
         return known
 
     def is_done(self, state: State) -> bool:
@@ -254,11 +256,12 @@ class Networks:
 
     def least_left(self, state: State) -> int:
         """The fewest leaves that must still be done, by the grammar's table: conditions and parameters are left out."""
-        known = self._least.get(state.rest)
+        key = key_of(state.rest)
+        known = self._least.get(key)
         if known is None:
             if len(self._least) > MOST_KEPT:
                 self._least.clear()
-            known = self._least[state.rest] = int(self.methods.least_of_row(state.rest))
+            known = self._least[key] = int(self.methods.least_of_row(state.rest))
         return known
 
     # --- what is told ----------------------------------------------------------------------------------------------
