@@ -53,6 +53,7 @@ if TYPE_CHECKING:
 MOST_MISSED = 1  # leaves that may go unseen between two observations
 MOST_KEPT = 50_000  # of anything that is remembered of states
 MOST_TOLD = 1_000  # derivations
+MOST_GROWTHS = 64  # observations of which it is kept what tasks make of them
 
 
 class State(NamedTuple):
@@ -103,7 +104,7 @@ class Networks:
         self.most_missed = most_missed
         self._goals = [(label, inward(term, {})) for label, term in goals]
         self.was_cut = False
-        self._growths: dict[tuple[Observation, str | None, int], Growth] = {}
+        self._growths: dict[tuple[str, Any, str | None, int], Growth] = {}
         self._choices: dict[Hashable, int] = {}  # by rest
         self._least: dict[Hashable, int] = {}
         self._derived: dict[tuple[State, tuple[Compound, ...]], Done | None] = {}
@@ -199,7 +200,7 @@ class Networks:
 
     def _growth(self, option: Observation, agent: str | None, noted: list[str] | None = None) -> Growth:
         """What is known of how tasks take an observation now."""
-        key = option, agent, self.asking.now if self.looks_back else self.asking.changes
+        key = option.action, option.args, agent, self.asking.now if self.looks_back else self.asking.changes
         growth = self._growths.get(key)
         if growth is None or noted is not None:
             args = None if self.by_name else option.args
@@ -210,8 +211,8 @@ class Networks:
             arity = None if args is None else len(args)
             growth = Growth(self.methods, self.asking, action, arity, agent, self.robot, noted)
             if noted is None:
-                if len(self._growths) > 64:
-                    self._growths.clear()
+                if len(self._growths) >= MOST_GROWTHS:
+                    del self._growths[next(iter(self._growths))]  # the oldest
                 self._growths[key] = growth
         return growth
 
