@@ -6,7 +6,7 @@ where rules look at did/2 until something else has been observed.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Hashable, Iterable, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
 from casper.engine.episodes.networks.items.terms import Env, Slot, numbered, outward, resolve, slots_of, unified
@@ -54,7 +54,7 @@ class Asking:
             self.looks_back = self.kb is not None and self.kb.depends_on_history
             self.asks_goals = self.kb is not None and self.kb.defines("goal", 1)
             self._known: dict[Asked, Any] = {}
-            self.closing: dict[Any, bool] = {}  # of links (`corners`) and whole states: whether they can close
+            self.closing: dict[Hashable, bool] = {}  # of links (`corners`) and whole states: whether they can close
             self._plain: dict[Asked, bool] = {}  # by condition that binds nothing whether it is open; else it holds
             self._groups: dict[tuple[Asked, ...], bool | None] = {}
             self._joined: dict[Any, Env | Failed] = {}

@@ -18,6 +18,7 @@ from casper.engine.episodes.networks.items.terms import (
     Env,
     Row,
     Slot,
+    key_of,
     numbered,
     resolve,
     slots_of,
@@ -52,26 +53,29 @@ class Closing:
     Args:
         methods: the grammar.
         asking: the knowledge base.
-        upwards: what comes next where a task was done that another one began with, and the link on (`passing`).
     """
 
-    def __init__(self, methods: Methods, asking: Asking, upwards: Upwards) -> None:
-        self.methods, self.asking, self._upwards = methods, asking, upwards
+    def __init__(self, methods: Methods, asking: Asking) -> None:
+        self.methods, self.asking = methods, asking
         self._fitting: dict[Any, bool] = {}
         self._links: dict[tuple[Any, tuple[Asked, ...]], bool] = {}
 
-    def can_close(self, row: Row, env: Env, due: tuple[Asked, ...]) -> bool:
-        """Whether every task that is open or under way may still be done, by what is known of its parameters."""
-        return self._row(row, env, _Open(due, env))
+    def can_close(self, row: Row, env: Env, due: tuple[Asked, ...], upwards: Upwards) -> bool:
+        """Whether every task that is open or under way may still be done, by what is known of its parameters.
 
-    def _row(self, row: Row, env: Env, open_: _Open) -> bool:
+        ``upwards``: what comes next where a task was done that another one began with, and the link on (`passing`).
+        It is told each time, so that neither holds the other: what is let go of goes at once, and is no garbage.
+        """
+        return self._row(row, env, _Open(due, env), upwards)
+
+    def _row(self, row: Row, env: Env, open_: _Open, upwards: Upwards) -> bool:
         for item in row:
             kind = item[0]
-            if kind is LINK and not self._link(resolve(item, env), open_):
+            if kind is LINK and not self._link(resolve(item, env), open_, upwards):
                 return False
             if kind is CALL and not self._fits(resolve(item[1], env)):
                 return False
-            if (kind is PAR or kind is SEQ) and not self._row(item[1], env, open_):
+            if (kind is PAR or kind is SEQ) and not self._row(item[1], env, open_, upwards):
                 return False
         return True
 
@@ -82,7 +86,7 @@ class Closing:
             known = self._fitting[term] = self.methods.fits(numbered(term, {}, {}))
         return known
 
-    def _link(self, link: Any, open_: _Open) -> bool:
+    def _link(self, link: Any, open_: _Open, upwards: Upwards) -> bool:
         """Whether there is a way upwards from what was done of a task to all of it, by their parameters and conditions.
 
         After `MOST_TRIED` steps it is taken for granted.
@@ -93,20 +97,21 @@ class Closing:
         known = self._links.get(key)
         if known is None:
             start = numbered(key, {}, {})
-            known = self.asking.closing.get(start)
+            same = key_of(start)
+            known = self.asking.closing.get(same)
             if known is None:
-                known = self.asking.closing[start] = self._search(start)
+                known = self.asking.closing[same] = self._search(start, upwards)
             self._links[key] = known
         return known
 
-    def _search(self, start: Any) -> bool:
+    def _search(self, start: Any, upwards: Upwards) -> bool:
         seen, waiting = {start}, [start]
         while waiting and len(seen) < MOST_TRIED:
             link, due = waiting.pop()
             closed = unified(link[1], link[2], {})
             if closed is not None and not isinstance(self.asking.settled(due, closed), Failed):
                 return True
-            for row, env, asked in self._upwards(link, len(slots_of((link, due), {}))):
+            for row, env, asked in upwards(link, len(slots_of((link, due), {}))):
                 settled = self.asking.settled((*due, *asked), env)
                 if not isinstance(settled, Failed):
                     env, due_then = settled

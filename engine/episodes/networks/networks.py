@@ -10,7 +10,7 @@ equal states are one step, with the fewest misses.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from casper.engine.collaboration.collaboration import CollaborativePlan, longest_run
@@ -30,6 +30,7 @@ from casper.engine.episodes.networks.items.terms import (
     Slot,
     interned,
     inward,
+    key_of,
     moved,
     numbered,
     outward,
@@ -52,6 +53,7 @@ if TYPE_CHECKING:
 MOST_MISSED = 1  # leaves that may go unseen between two observations
 MOST_KEPT = 50_000  # of anything that is remembered of states
 MOST_TOLD = 1_000  # derivations
+MOST_GROWTHS = 64  # observations of which it is kept what tasks make of them
 
 
 class State(NamedTuple):
@@ -102,9 +104,9 @@ class Networks:
         self.most_missed = most_missed
         self._goals = [(label, inward(term, {})) for label, term in goals]
         self.was_cut = False
-        self._growths: dict[tuple[Observation, str | None, int], Growth] = {}
-        self._choices: dict[State, int] = {}
-        self._least: dict[Row, int] = {}
+        self._growths: dict[tuple[str, Any, str | None, int], Growth] = {}
+        self._choices: dict[Hashable, int] = {}  # by rest
+        self._least: dict[Hashable, int] = {}
         self._derived: dict[tuple[State, tuple[Compound, ...]], Done | None] = {}
 
     # --- what there is ---------------------------------------------------------------------------------------------
@@ -189,7 +191,7 @@ class Networks:
 
     def _can_close(self, state: State, growth: Growth) -> bool:
         """Whether what is open may still be done."""
-        known, key = self.asking.closing, (state.rest, state.open)
+        known, key = self.asking.closing, key_of((state.rest, state.open))
         if key not in known:
             if len(known) > MOST_KEPT:
                 known.clear()
@@ -198,7 +200,7 @@ class Networks:
 
     def _growth(self, option: Observation, agent: str | None, noted: list[str] | None = None) -> Growth:
         """What is known of how tasks take an observation now."""
-        key = option, agent, self.asking.now if self.looks_back else self.asking.changes
+        key = option.action, option.args, agent, self.asking.now if self.looks_back else self.asking.changes
         growth = self._growths.get(key)
         if growth is None or noted is not None:
             args = None if self.by_name else option.args
@@ -209,8 +211,8 @@ class Networks:
             arity = None if args is None else len(args)
             growth = Growth(self.methods, self.asking, action, arity, agent, self.robot, noted)
             if noted is None:
-                if len(self._growths) > 64:
-                    self._growths.clear()
+                if len(self._growths) >= MOST_GROWTHS:
+                    del self._growths[next(iter(self._growths))]  # the oldest
                 self._growths[key] = growth
         return growth
 
@@ -231,14 +233,15 @@ class Networks:
 
     def choices(self, state: State) -> int:
         """How many leaves could come next without a miss: open actions, and names that open tasks begin with."""
-        known = self._choices.get(state)
+        key = key_of(state.rest)
+        known = self._choices.get(key)
         if known is None:
             if len(self._choices) > MOST_KEPT:
                 self._choices.clear()
             found: set[Any] = set()
             names: set[Indicator] = set()
             self.methods.add_first(state.rest, found, names)
-            known = self._choices[state] = len(found) + len(names - {indicator(action) for action in found})
+            known = self._choices[key] = len(found) + len(names - {indicator(action) for action in found})
         return known
 
     def is_done(self, state: State) -> bool:
@@ -254,11 +257,12 @@ class Networks:
 
     def least_left(self, state: State) -> int:
         """The fewest leaves that must still be done, by the grammar's table: conditions and parameters are left out."""
-        known = self._least.get(state.rest)
+        key = key_of(state.rest)
+        known = self._least.get(key)
         if known is None:
             if len(self._least) > MOST_KEPT:
                 self._least.clear()
-            known = self._least[state.rest] = int(self.methods.least_of_row(state.rest))
+            known = self._least[key] = int(self.methods.least_of_row(state.rest))
         return known
 
     # --- what is told ----------------------------------------------------------------------------------------------

@@ -73,7 +73,7 @@ class Passing:
         self.methods, self.asking, self.noted = methods, asking, noted
         self.fresh, self.moment = 0, -1  # when conditions are due that are asked now; -1: now
         self.was_cut = False
-        self.closing = Closing(methods, asking, self._upwards)
+        self.closing = Closing(methods, asking)
         self._passed: dict[tuple[Any, int, int], list[Grown] | None] = {}
 
     def passing_row(self, row: Row, env: Env, budget: int) -> list[Passed]:
@@ -218,7 +218,7 @@ class Passing:
     def can_close(self, row: Row, env: Env, due: tuple[Asked, ...]) -> bool:
         """Whether every task that is open or under way may still be done, by what is known of its parameters."""
         outside = self.fresh
-        found = self.closing.can_close(row, env, due)
+        found = self.closing.can_close(row, env, due, self._upwards)
         self.fresh = outside
         return found
 

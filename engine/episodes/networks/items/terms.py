@@ -17,6 +17,8 @@ Slots are interned, tags are strings that no text can hold: both are compared by
 
 from __future__ import annotations
 
+import marshal
+from collections.abc import Hashable
 from typing import Any, TypeAlias
 
 from casper.kb.errors import PlanError
@@ -34,6 +36,7 @@ _NUMBERS: dict[Slot, int] = {}
 _TAGS = {f"\udcfe{name}": name for name in ("ACT", "CALL", "COND", "PAR", "SEQ", "OPT", "ALT", "REP", "LINK")}
 _INTERNED = {text: text for text in _TAGS}
 ACT, CALL, COND, PAR, SEQ, OPT, ALT, REP, LINK = _TAGS
+_PLAIN = 2  # the last format in which equals are always written alike: later ones refer back to what was written
 
 
 def slot(number: int) -> Slot:
@@ -54,6 +57,20 @@ def interned(term: Any) -> Any:
     if term.__class__ is tuple:
         return tuple([interned(part) for part in term])
     return _INTERNED.get(term, term) if term.__class__ is str else term
+
+
+def key_of(term: Any) -> Hashable:
+    """What a term (or item, or row) is remembered by where only its equals are looked for.
+
+    A text of bytes, since Python's garbage collector walks through tuples of tuples, and not through those: what is
+    remembered of very many states would else be the longest pause. What has no such text (numbers of other kinds, what
+    is nested very deeply) stands for itself. Nothing is ever read back.
+    """
+    try:
+        return marshal.dumps(term, _PLAIN)
+    except ValueError:
+        hashable: Hashable = term
+        return hashable
 
 
 def resolve(term: Any, env: Env) -> Any:
@@ -156,16 +173,17 @@ def _flat(group: Any, env: Env) -> list[Any]:
     return found
 
 
-_SHAPES: dict[Any, str] = {}
+_SHAPES: dict[Hashable, str] = {}
 
 
 def shape(item: Any) -> str:
     """What an item looks like when its slots are left out."""
-    found = _SHAPES.get(item)
+    key = key_of(item)
+    found = _SHAPES.get(key)
     if found is None:
         if len(_SHAPES) > 100_000:
             _SHAPES.clear()
-        found = _SHAPES[item] = _shape(item)
+        found = _SHAPES[key] = _shape(item)
     return found
 
 
