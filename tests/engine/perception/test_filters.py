@@ -1,5 +1,6 @@
 """Poor sensors: noise estimated on the way, who walks, what is carried, what is not known."""
 
+import itertools
 import math
 import random
 
@@ -73,12 +74,12 @@ def test_a_good_sensor_is_tracked_as_ever():
 
 def test_the_pace_of_a_slow_sensor_is_made_even():
     told = [state.t for state in steadied(resting(0.01, 20, 2.0))[0]]
-    assert {round(b - a, 6) for a, b in zip(told[8:], told[9:])} == {0.5}
+    assert {round(b - a, 6) for a, b in itertools.pairwise(told)} == {0.5}
 
 
 def test_time_advances_through_the_change_to_filters():
     told = [state.t for state in steadied(resting(0.06))[0]]
-    assert all(a < b for a, b in zip(told, told[1:])) and len(told) > 30
+    assert all(a < b for a, b in itertools.pairwise(told)) and len(told) > 30
 
 
 def test_filters_at_rest_come_to_the_true_places():
@@ -122,7 +123,7 @@ def test_nobody_walks_who_stands(seed):
     states = steadied(resting(0.06, seed=seed))[0][10:]
     steps = [
         math.hypot(b.agents["human"].x - a.agents["human"].x, b.agents["human"].y - a.agents["human"].y)
-        for a, b in zip(states, states[1:])
+        for a, b in itertools.pairwise(states)
     ]
     assert sum(step > 0.045 for step in steps) <= 3  # what counts as moving, .09 m/s
 
