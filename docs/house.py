@@ -56,12 +56,12 @@ def main() -> None:
         x = column * 2.6
         axes.text(x + 1, -0.55, f"{house}\n{title}", ha="center", va="top", fontsize=11, weight="bold")
         for y, layer in enumerate(floors(house)):
-            width = 2 / len(layer)
+            width, font = 2 / len(layer), 8.5 if len(layer) < 3 else 6.5
             for at, name in enumerate(layer):
                 box = plt.Rectangle((x + at * width, y), width - 0.04, 0.86, facecolor=COLOURS[house], edgecolor="#555")
                 axes.add_patch(box)
                 label = f"{name}{size(house, name)}"
-                axes.text(x + at * width + width / 2 - 0.02, y + 0.43, label, ha="center", va="center", fontsize=8.5)
+                axes.text(x + at * width + width / 2 - 0.02, y + 0.43, label, ha="center", va="center", fontsize=font)
         if column:
             arrow = {"arrowstyle": "->", "color": "#333", "lw": 1.5}
             axes.annotate("", (x - 0.55, 0.43), (x - 0.03, 0.43), arrowprops=arrow)
