@@ -9,6 +9,7 @@ import sys
 import pytest
 from chromium import Chromium, found
 
+from casper.engine.domain.domain import SHIPPED
 from casper.engine.events.event import Event
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
 from casper.report.recording import Recording
@@ -93,6 +94,11 @@ def test_every_refused_statement_is_shown_with_the_rule_that_failed(run):
     for event, article in zip(refused, articles):
         assert event["statement"] in article
         assert "how that was found" in article
+
+
+def test_the_page_does_not_tell_where_the_domain_lies(run):
+    assert "ontology.pl:" in run[1]
+    assert not any(str(folder) in run[1] for folder in (SHIPPED, SHIPPED.resolve()))
 
 
 def test_the_page_names_no_other_place(run):
