@@ -20,6 +20,11 @@ class Place:
     def __str__(self) -> str:
         return ":".join(str(part) for part in (self.file, self.line, self.column) if part != 0)
 
+    @property
+    def brief(self) -> str:
+        """The file's name without its folder, and the line: ``ontology.pl:41``; empty where the line is unknown."""
+        return f"{self.file.rsplit('/', 1)[-1]}:{self.line}" if self.line else ""
+
 
 class CasperError(Exception):
     """Something the user can mend; ``str()`` is the sentence a person is shown.

@@ -214,10 +214,7 @@ def _kind(proof: Proof) -> str:
 
 
 def _place(proof: Proof) -> str:
-    if proof.clause is None or not proof.clause.place.line:
-        return ""
-    file = proof.clause.place.file.rsplit("/", 1)[-1]
-    return f"{file}:{proof.clause.place.line}"
+    return "" if proof.clause is None else proof.clause.place.brief
 
 
 def _citation(proof: Proof) -> str:

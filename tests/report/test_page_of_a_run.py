@@ -9,6 +9,12 @@ import sys
 import pytest
 from chromium import Chromium, found
 
+from casper.engine.domain.domain import SHIPPED
+from casper.engine.events.event import Event
+from casper.engine.perception.world import AgentState, ObjectState, WorldState
+from casper.report.recording import Recording
+from casper.report.writing import write_page
+
 pytest.importorskip("mujoco")
 pytestmark = pytest.mark.xdist_group("report")  # one run, one browser
 in_browser = pytest.mark.skipif(found() is None, reason="no Chromium is installed, in which the page could be opened")
@@ -90,6 +96,11 @@ def test_every_refused_statement_is_shown_with_the_rule_that_failed(run):
         assert "how that was found" in article
 
 
+def test_the_page_does_not_tell_where_the_domain_lies(run):
+    assert "ontology.pl:" in run[1]
+    assert not any(str(folder) in run[1] for folder in (SHIPPED, SHIPPED.resolve()))
+
+
 def test_the_page_names_no_other_place(run):
     assert not re.findall(r'(?:src|href)="(?!data:,)|url\((?!#)|@import', run[1])
     assert "default-src 'none'" in run[1]
@@ -99,6 +110,23 @@ def test_the_page_names_no_other_place(run):
 def test_the_page_opens_without_complaints_at_the_time_of_the_prediction(run, page):
     assert page.run("Number(document.getElementById('slider').value)") == of_type(run[0], "prediction")[0]["t"]
     assert page.complaints == []
+
+
+@in_browser
+@pytest.mark.parametrize("name", ["</script><script>document.title='obeyed'</script>\"'<img src=x>", "constructor", "__proto__"])
+def test_any_name_is_shown_and_none_is_obeyed(browser, tmp_path, name):
+    events = (
+        Event("focus", 0.0, {"agent": name, "target": name, "destination": None, "scores": {name: 1.0}}),
+        Event("movement", 0.0, {"agent": name, "movement": name}),
+        Event("episode", 2.0, {"agent": name, "goal": name, "outcome": "unclear", "from": 0.0, "to": 2.0, "observed": 1, "missed": 0}),
+    )
+    states = [WorldState(t, {name: AgentState(t, 0.0, 0.0, name)}, {name: ObjectState(1.0, 1.0)}) for t in (0.0, 2.0)]
+    write_page(Recording(name, (name,), "robot", events, tuple(states)), tmp_path / "named.html")
+    browser.complaints.clear()
+    browser.open(tmp_path / "named.html")
+    assert browser.run("document.title").startswith(name)
+    assert browser.run("document.getElementById('does').textContent") == f"{name}, holds {name}, attends to {name}"
+    assert browser.complaints == []
 
 
 @in_browser

@@ -10,7 +10,7 @@ from casper.engine.events.printing import shares_table
 from casper.engine.events.telling import Telling
 from casper.kb.reasons.doubt import Doubt
 from casper.kb.reasons.why_not import Refusal
-from casper.kb.terms.clauses import Literal
+from casper.kb.terms.clauses import Clause, Literal
 from casper.kb.text.writer import literal_text
 from casper.notebook.markup import Markup, joined, tag
 from casper.notebook.parts import bar, chips, folded, listed, number
@@ -72,8 +72,9 @@ def _condition(word: str, condition: Literal) -> Markup:
     return joined([tag("span", f"{word}: ", class_="bad"), tag("code", literal_text(condition))])
 
 
-def _rule(clause: Any, below: list[Markup]) -> Markup:
-    return joined([tag("code", clause), tag("span", f"  [{clause.place}]", class_="faint"), listed(below)])
+def _rule(clause: Clause, below: list[Markup]) -> Markup:
+    place = f"  [{clause.place.brief}]" if clause.place.brief else ""
+    return joined([tag("code", clause), tag("span", place, class_="faint"), listed(below)])
 
 
 def _read(

@@ -14,7 +14,8 @@
   const focus = ofType("focus"), movement = ofType("movement"), believed = ofType("reading", "episode"), told = ofType("plan", "withdrawn", "robot", "episode");
   let now = first, timer = null, before = 0;
 
-  const said = (text) => data.told[text] ?? text;
+  const own = (table, name) => (Object.hasOwn(table, name) ? table[name] : undefined); // a name may be any word, constructor, too
+  const said = (text) => own(data.told, text) ?? text;
 
   // --- looking up ----------------------------------------------------------------------------------------------
   function index(list, t, key) { // of the last that is no later, -1 for none
@@ -76,12 +77,13 @@
       element.querySelector("text").setAttribute("y", offset.toFixed(1));
     }
   }
+  const doing = { still: "stands still", walk: "walks", transport: "carries", pick: "reaches", place: "puts or uses" };
   function showBelief() {
     const lines = [];
     for (const partner of data.partners) {
       const moved = latest(movement.filter((e) => e.agent === partner), now), seen = latest(focus.filter((e) => e.agent === partner), now);
-      const holding = states.agents[partner] && (between(states.agents[partner], now) || [])[3];
-      const what = { still: "stands still", walk: "walks", transport: "carries", pick: "reaches", place: "puts or uses" }[moved && moved.movement] || (moved ? moved.movement : "is not made out yet");
+      const column = own(states.agents, partner), holding = column && (between(column, now) || [])[3];
+      const what = own(doing, moved ? moved.movement : "") || (moved ? moved.movement : "is not made out yet");
       const whose = data.partners.length > 1 ? `${said(partner)} ` : "";
       lines.push(whose + what + (holding ? `, holds ${said(holding)}` : "") + (seen && seen.target ? `, attends to ${said(seen.target)}` : ""));
     }
@@ -90,7 +92,7 @@
       const state = latest(believed.filter((e) => (e.agent ?? table.dataset.whose) === table.dataset.whose), now);
       const shares = state && state.type === "reading" ? state.posterior : {};
       for (const row of all("[data-goal]", table)) {
-        const share = shares[row.dataset.goal] || 0;
+        const share = own(shares, row.dataset.goal) || 0;
         row.querySelector("i").style.width = `${100 * share}%`;
         row.lastElementChild.textContent = share.toFixed(2);
       }
@@ -164,7 +166,7 @@
     if (event.key === " " && event.target.closest("summary,button:not(#play)")) return;
     const far = event.shiftKey ? 10 : 1;
     const keys = { " ": toggle, k: toggle, ArrowLeft: () => go(now - far), ArrowRight: () => go(now + far), n: next, p: previous, Home: () => go(first), End: () => go(last) };
-    const act = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    const act = own(keys, event.key.length === 1 ? event.key.toLowerCase() : event.key);
     if (act) { event.preventDefault(); act(); }
   });
   const asked = /^#t=([\d.]+)$/.exec(location.hash);
