@@ -74,7 +74,7 @@ def test_a_good_sensor_is_tracked_as_ever():
 
 def test_the_pace_of_a_slow_sensor_is_made_even():
     told = [state.t for state in steadied(resting(0.01, 20, 2.0))[0]]
-    assert {round(b - a, 6) for a, b in itertools.pairwise(told)} == {0.5}
+    assert {round(b - a, 6) for a, b in itertools.pairwise(told[8:])} == {0.5}
 
 
 def test_time_advances_through_the_change_to_filters():
