@@ -148,7 +148,7 @@ def numbered(term: Any, env: Env, names: dict[Slot, Slot]) -> Any:
         return term
     if term and term[0] is PAR and not any(term[2]):
         items = sorted(_flat(term, env), key=shape)
-        return (PAR, tuple([numbered(item, env, names) for item in items]), (0,) * len(items))
+        return (PAR, tuple([numbered(item, {}, names) for item in items]), (0,) * len(items))
     parts = list(term)
     for at, part in enumerate(term):  # as above for each part, without a call for those that need none
         kind = part.__class__
