@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from casper.engine.events.event import Event
@@ -46,7 +47,8 @@ class Timeline:
             case "robot" if event.data["status"] == "asked":  # the plan told
                 pass
             case _:
-                yield from event.lines(self.names)
+                partner = str(event.data.get("partner", self.names.partner))  # whose it is, where there are several
+                yield from event.lines(replace(self.names, partner=partner))
 
 
 class _Told:

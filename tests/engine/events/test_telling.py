@@ -8,8 +8,11 @@ from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.events.phrases import PHRASES
 from casper.engine.events.printing import Names
+from casper.engine.events.timeline import Timeline
+from casper.kb.base import KnowledgeBase
 from casper.kb.errors import DomainError, ProgramError
 from casper.kb.reasons.phrases import PHRASES as OF_THE_BASE
+from casper.kb.text.lines import text_of
 
 
 @pytest.fixture(scope="module")
@@ -96,3 +99,11 @@ def test_every_language_has_every_phrase_with_the_same_values(table):
             assert used == [n for n in "0123" if f"{{{n}}}" in table["en"][name]] or name.startswith(
                 ("robot", "nobody")
             )
+
+
+def test_steps_that_are_waited_for_are_those_of_the_partner_whose_plan_it_is():
+    kb = KnowledgeBase.from_text('human(ann). human(ben). say(eat(A, T), "{A} eats {T}"). eat(A, cake) :- human(A).')
+    timeline = Timeline("ann", "tim", kb.words)
+    plan = {"agent": "tim", "partner": "ben", "waiting": ["eat(cake)"], "actions": ["eat(cake)"]}
+    told = text_of(timeline.lines(Event("plan", 15.0, plan)))
+    assert "ben eats cake" in told and "ann" not in told
