@@ -19,7 +19,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.append(str(ROOT / "tests" / "testing"))
-from home import BUGS, home  # noqa: E402
+from home import BUGS, SUITE, home  # noqa: E402
 
 SECONDS, MOST_FACTS, MOST_ACTIONS = 10.0, 3, 2
 TOLD = {  # what the counterexample looks like: statements in it are counted
@@ -29,19 +29,6 @@ TOLD = {  # what the counterexample looks like: statements in it are counted
     "a constraint that never fires": r'[^\n]*never fires: "tea is for the mug"[^\n]*',
     "a goal that hides another": r"rinse is hidden by clean: seen wash\(mug\)[^\n]*",
 }
-SUITE = """
-from casper import Domain
-from casper.testing.contract import DomainContract
-
-
-class TestHome(DomainContract):
-    domain = Domain.load({folder!r})
-
-    def expected(self, statement):
-        if statement.functor == "boil":
-            return statement[1] == "ann" and statement[2] == "pot"
-        return None
-"""
 
 
 def environment(folder: Path) -> Path:

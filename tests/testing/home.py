@@ -31,6 +31,21 @@ BUGS = {  # what is replaced by what, and where
     "a goal that hides another": ("plans.pl", "juice --> pour", "rinse --> wash(mug). clean --> wash(mug).\njuice --> pour"),
 }
 
+SUITE = """
+from casper import Domain
+from casper.testing.contract import DomainContract
+
+
+class TestHome(DomainContract):
+    domain = Domain.load({folder!r})
+
+    def expected(self, statement):
+        if statement.functor == "boil":
+            return statement[1] == "ann" and statement[2] == "pot"
+        return None
+"""
+"""The tests of its author: the contract, and what should be valid."""
+
 
 def home(folder: Path, bug: str | None = None) -> Path:
     """The domain's folder, with a bug of that name."""

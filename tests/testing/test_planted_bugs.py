@@ -3,23 +3,11 @@
 from pathlib import Path
 
 import pytest
-from home import BUGS, home
+from home import BUGS, SUITE, home
 from runs import Run, run_all
 
 pytestmark = pytest.mark.xdist_group("planted bugs")  # so that one worker has all the runs
 
-SUITE = """
-from casper.engine.domain.domain import Domain
-from casper.testing.contract import DomainContract
-
-class TestHome(DomainContract):
-    domain = Domain.load({folder!r})
-
-    def expected(self, statement):
-        if statement.functor == "boil":
-            return statement[1] == "ann" and statement[2] == "pot"
-        return None
-"""
 FOUND = {
     "a rule too weak": "boil(ann, mug)",
     "a rule too strong": "nobody can do step 3, sip(tea, mug): mug is not glass",
