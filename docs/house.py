@@ -22,10 +22,18 @@ HOUSES = {
     "plans": "the plan library",
     "engine": "the mind",
     "sim_adapter": "MuJoCo",
+    "casper": "doors for other programs",
     "cli": "the command line",
 }
-FOLDERS = {"cli": ROOT / "src" / "casper" / "cli"}
-COLOURS = {"kb": "#cfe3f5", "plans": "#d9ead3", "engine": "#fde9c9", "sim_adapter": "#f5d5d0", "cli": "#e3dcef"}
+FOLDERS = {"casper": ROOT / "src" / "casper", "cli": ROOT / "src" / "casper" / "cli"}
+COLOURS = {
+    "kb": "#cfe3f5",
+    "plans": "#d9ead3",
+    "engine": "#fde9c9",
+    "sim_adapter": "#f5d5d0",
+    "casper": "#f7e3ec",
+    "cli": "#e3dcef",
+}
 
 
 def floors(house: str) -> list[list[str]]:
@@ -35,12 +43,16 @@ def floors(house: str) -> list[list[str]]:
         if contract.get("containers") == [f"casper.{house}"]:
             return [layer.split(" | ") for layer in reversed(contract["layers"])]
     folder = FOLDERS.get(house, ROOT / house)
-    names = sorted(p.stem for p in folder.iterdir() if (p.suffix == ".py" and p.stem != "__init__") or _is_room(p))
+    names = sorted(p.stem for p in folder.iterdir() if _is_file(p) or (_is_room(p) and p.name not in HOUSES))
     return [[name] for name in names]
 
 
-def _is_room(folder: Path) -> bool:
-    return folder.is_dir() and (folder / "__init__.py").is_file()
+def _is_file(path: Path) -> bool:
+    return path.suffix == ".py" and not path.stem.startswith("_")
+
+
+def _is_room(folder: Path) -> bool:  # the shipped domains are text
+    return folder.is_dir() and (folder / "__init__.py").is_file() and folder.name != "domains"
 
 
 def size(house: str, name: str) -> str:
@@ -51,7 +63,7 @@ def size(house: str, name: str) -> str:
 
 def main() -> None:
     """Write docs/house.svg."""
-    figure, axes = plt.subplots(figsize=(13, 6.2))
+    figure, axes = plt.subplots(figsize=(15.5, 6.2))
     for column, (house, title) in enumerate(HOUSES.items()):
         x = column * 2.6
         axes.text(x + 1, -0.55, f"{house}\n{title}", ha="center", va="top", fontsize=11, weight="bold")
@@ -65,7 +77,7 @@ def main() -> None:
         if column:
             arrow = {"arrowstyle": "->", "color": "#333", "lw": 1.5}
             axes.annotate("", (x - 0.55, 0.43), (x - 0.03, 0.43), arrowprops=arrow)
-    axes.set_xlim(-0.1, 12.6)
+    axes.set_xlim(-0.1, 2.6 * len(HOUSES) - 0.4)
     axes.set_ylim(-1.6, max(len(floors(house)) for house in HOUSES) + 0.1)
     axes.axis("off")
     figure.tight_layout()
