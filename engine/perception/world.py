@@ -63,28 +63,27 @@ def world_state_from_json(data: str | bytes | Mapping[str, Any]) -> WorldState:
     """Read one world state from its JSON text or the object it stands for.
 
     Raises:
-        WorldStateError: not JSON, a missing key, or a coordinate that is missing, NaN or infinite;
-            the sentence names the object or agent and the time.
+        WorldStateError: not JSON, a name that is there twice, a missing key, or a coordinate that is missing, NaN or
+            infinite; the sentence names the object or agent and the time.
     """
     data = json_object(data)
     t = _number(data, "t", "the world state")
-    when = f"at t={t:g}"
     agents = {
         name: AgentState(
-            _number(entry, "x", f"agent {name} {when}"),
-            _number(entry, "y", f"agent {name} {when}"),
-            _number(entry, "heading", f"agent {name} {when}"),
-            _held(entry, f"agent {name} {when}"),
+            _number(entry, "x", "agent", name, t),
+            _number(entry, "y", "agent", name, t),
+            _number(entry, "heading", "agent", name, t),
+            _held(entry, name, t),
         )
-        for name, entry in _entries(data, "agents", when)
+        for name, entry in _entries(data, "agents", t)
     }
     objects = {
         name: ObjectState(
-            _number(entry, "x", f"object {name} {when}"),
-            _number(entry, "y", f"object {name} {when}"),
-            None if entry.get("z", None) is None else _number(entry, "z", f"object {name} {when}"),
+            _number(entry, "x", "object", name, t),
+            _number(entry, "y", "object", name, t),
+            None if entry.get("z") is None else _number(entry, "z", "object", name, t),
         )
-        for name, entry in _entries(data, "objects", when)
+        for name, entry in _entries(data, "objects", t)
     }
     return WorldState(t, agents, objects)
 
@@ -93,18 +92,45 @@ def json_object(data: str | bytes | Mapping[str, Any]) -> Mapping[str, Any]:
     """The object that a line of JSON is; an object is itself.
 
     Raises:
-        WorldStateError: it is not JSON, or no object.
+        WorldStateError: it is not JSON, no object, or has two values under one name.
     """
     if isinstance(data, (str, bytes)):
+        text = data
         try:
-            data = json.loads(data)
+            data = json.loads(text)
+            if _colons(text) != _named(data):  # the one or the other may be more than names
+                json.loads(text, object_pairs_hook=_once_each)
         except (ValueError, RecursionError) as mistake:
             raise WorldStateError(f"this is not a line of JSON ({mistake})") from None
     if not isinstance(data, Mapping):
-        raise WorldStateError(
-            f'a world state is an object with "t", "agents" and "objects", not {data!r:.60}'
-        )
+        raise WorldStateError(f'a world state is an object with "t", "agents" and "objects", not {data!r:.60}')
     return data
+
+
+def _colons(text: str | bytes) -> int:
+    return text.count(":") if isinstance(text, str) else text.count(b":")
+
+
+def _named(data: Any) -> int:
+    """How many names there are, as far as they are those of a world state.
+
+    Each name of a text has a colon behind it: as many colons as names that were read mean that none was there twice.
+    """
+    try:
+        agents, objects = data["agents"], data["objects"]
+        inner = sum(map(len, agents.values())) + sum(map(len, objects.values()))
+        return len(data) + len(agents) + len(objects) + inner
+    except (AttributeError, KeyError, TypeError):
+        return -1
+
+
+def _once_each(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise WorldStateError(f'"{twice}" is there twice, and which of both is meant cannot be known')
+    return found
 
 
 def world_state_to_json(world: WorldState) -> dict[str, Any]:
@@ -117,8 +143,11 @@ def world_state_to_json(world: WorldState) -> dict[str, Any]:
     return {"t": world.t, "agents": agents, "objects": objects}
 
 
-def _number(entry: Mapping[str, Any], key: str, whose: str) -> float:
+def _number(entry: Mapping[str, Any], key: str, kind: str, name: str = "", t: float | None = None) -> float:
     value = entry.get(key)
+    if type(value) is float and value - value == 0.0:  # finite: every state has dozens of them
+        return value
+    whose = _whose(kind, name, t)
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         raise WorldStateError(f'{whose} has no number under "{key}"')
     if not math.isfinite(as_float(value)):
@@ -127,20 +156,23 @@ def _number(entry: Mapping[str, Any], key: str, whose: str) -> float:
     return float(value)
 
 
-def _held(entry: Mapping[str, Any], whose: str) -> str | None:
+def _whose(kind: str, name: str, t: float | None) -> str:
+    return kind if t is None else f"{kind} {name} at t={t:g}"
+
+
+def _held(entry: Mapping[str, Any], name: str, t: float) -> str | None:
     held = entry.get("holding")
     if held is not None and not isinstance(held, str):
-        raise WorldStateError(
-            f'{whose} has {held!r:.40} under "holding"; it must be an object\'s name or null'
-        )
+        whose = _whose("agent", name, t)
+        raise WorldStateError(f'{whose} has {held!r:.40} under "holding"; it must be an object\'s name or null')
     return held
 
 
-def _entries(data: Mapping[str, Any], key: str, when: str) -> list[tuple[str, Mapping[str, Any]]]:
+def _entries(data: Mapping[str, Any], key: str, t: float) -> list[tuple[str, Mapping[str, Any]]]:
     table = data.get(key)
     if not isinstance(table, Mapping):
-        raise WorldStateError(f'the world state {when} has no object under "{key}"')
+        raise WorldStateError(f'the world state at t={t:g} has no object under "{key}"')
     for name, entry in table.items():
-        if not isinstance(entry, Mapping):
-            raise WorldStateError(f'"{name}" under "{key}" {when} must be an object with its coordinates')
+        if type(entry) is not dict and not isinstance(entry, Mapping):
+            raise WorldStateError(f'"{name}" under "{key}" at t={t:g} must be an object with its coordinates')
     return list(table.items())

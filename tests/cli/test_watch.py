@@ -73,3 +73,25 @@ def test_a_price_that_is_none_is_refused_in_a_sentence(casper):
     told = casper("watch", "kitchen", "--noise", "-1", stdin="")
     assert told.code == 2
     assert "the price of a needless observation is a factor above 0 and at most 1, not -1" in told.err
+
+
+def test_a_file_is_watched_as_standard_input_is(casper, tmp_path):
+    text = "\n".join(json.dumps(state(t)) for t in (1, 1.5, 2))
+    (tmp_path / "seen.jsonl").write_text(text)
+    assert casper("watch", "kitchen", str(tmp_path / "seen.jsonl"), "--json").json == casper("watch", "kitchen", "--json", stdin=text).json
+
+
+def test_a_late_state_is_put_in_its_place_where_a_window_is_given(casper):
+    lines = "\n".join(json.dumps(state(t)) for t in (1, 2, 1.5, 2.5))
+    told = casper("watch", "kitchen", "--window", "1", "--json", stdin=lines)
+    assert [event["t"] for event in told.json if event["type"] == "focus"] == [1, 1.5, 2, 2.5]
+
+
+def test_a_window_that_is_none_is_refused(casper):
+    told = casper("watch", "kitchen", "--window", "-1", stdin="")
+    assert (told.code, "the window is a finite number of seconds" in told.err) == (2, True)
+
+
+def test_a_file_that_is_not_there_is_refused(casper):
+    told = casper("watch", "kitchen", "nowhere.jsonl")
+    assert (told.code, told.err) == (2, "casper: cannot read nowhere.jsonl (No such file or directory)\n")

@@ -5,9 +5,9 @@ import shutil
 
 import pytest
 
-from casper.cli.watching.watch import watched
 from casper.engine.domain.domain import SHIPPED, Domain
 from casper.engine.mind import Mind
+from casper.streams.watching import watched
 
 STATE = {
     "agents": {"human": {"x": 0.0, "y": 0.0, "heading": 0.0, "holding": None}},

@@ -5,12 +5,12 @@ import json
 import pytest
 
 from casper import Domain, Mind
-from casper.cli.watching.watch import watched
 from casper.engine.live import Live, Partners, by_day
 from casper.engine.perception.world import AgentState, ObjectState, WorldState, world_state_to_json
 from casper.engine.verification.observation import Observation
 from casper.kb.errors import DomainError
 from casper.kb.terms.terms import Compound
+from casper.streams.watching import watched
 
 KITCHEN = Domain.load("kitchen")
 PLACES = {

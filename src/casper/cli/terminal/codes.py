@@ -7,7 +7,8 @@ from textwrap import wrap
 CODES: dict[int, str] = {
     0: "done; the answer is yes",
     1: "the answer is no: a statement is not valid (verify), nothing answers (query), a domain has errors (check), "
-    "an import contradicts itself (import), a row has a mistake (batch), something is broken (doctor)",
+    "an import contradicts itself (import), a row has a mistake (batch), "
+    "something is broken (doctor), a connection was lost (watch)",
     2: "a mistake, told in one sentence on standard error: an argument, a file, a missing library",
     130: "interrupted from the keyboard",
 }

@@ -43,3 +43,15 @@ Report = Annotated[
     typer.Option("--report", metavar="FILE.html", help="Write a page to look at: what happened, played back, and why."),
 ]
 Quiet = Annotated[bool, typer.Option("--quiet", help="Print results only: no progress, no hints, of run the summary.")]
+SourceName = Annotated[
+    str, typer.Argument(help="Where world states come from: - (standard input), a file (.gz, too), tcp://HOST:PORT.")
+]
+Window = Annotated[
+    float | None,
+    typer.Option(metavar="S", help="Put in order what comes up to S seconds late (usually 1 in a file, else 0)."),
+]
+Listens = Annotated[bool, typer.Option("--listen", help="Wait at tcp://HOST:PORT for somebody to connect.")]
+Reconnect = Annotated[
+    float,
+    typer.Option(metavar="S", min=0, help="Wait S seconds for a connection that is not there, or ended; 0: do not."),
+]
