@@ -85,7 +85,7 @@ colour(plate,    0.95, 0.95, 0.98).
 colour(bottle,   0.15, 0.45, 0.85).
 
 % The simulation: seconds of a physics step, of a control step, and between two world states.
-setting(sim, timestep, 0.005).
+setting(sim, timestep, 0.01).
 setting(sim, control,  0.02).
 setting(sim, period,   0.5).
 

@@ -55,11 +55,11 @@ class Sensor:
 
     def in_view(self, spot: Spot) -> bool:
         """Within the range and the horizontal field of view."""
-        site = self.physics.data.site(eye_name(self.scene.robot))
-        dx, dy, dz = np.asarray(spot) - site.xpos
+        eye = self.eye.tolist()
+        dx, dy, dz = spot[0] - eye[0], spot[1] - eye[1], spot[2] - eye[2]
         if math.hypot(dx, dy, dz) > self.settings.range:
             return False
-        looking = math.atan2(site.xmat[3], site.xmat[0])
+        looking = self.physics.looking(eye_name(self.scene.robot))
         return abs(turn(math.atan2(dy, dx) - looking)) <= math.radians(self.settings.field_of_view) / 2
 
     def clear(self, eye: Vector, spot: Spot, through: str | None) -> bool:

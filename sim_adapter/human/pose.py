@@ -23,9 +23,15 @@ class HumanPose:
         self.name = name
         self.phase = 0.0
         self.lean = 0.0
+        self._shown: tuple[float, Spot] | None = None  # lean and hand of one who stood still when the servos were aimed
 
     def update(self, speed: float, full_speed: float, hand: Spot, dt: float) -> None:
         """Set every limb for the present speed (m/s) and hand position (body frame)."""
+        self._bend(hand)
+        now = None if speed else (self.lean, hand)
+        if now is not None and now == self._shown:
+            return
+        self._shown = now
         self.phase += STRIDE * speed * dt
         swing = 0.5 * min(1.0, speed / full_speed)
         for side, shift in (("left", 0.0), ("right", math.pi)):
@@ -33,7 +39,6 @@ class HumanPose:
             self._aim(f"{side}_hip", -swing * wave)
             self._aim(f"{side}_knee", swing * max(0.0, math.cos(self.phase + shift)))
         self._aim("left_shoulder", swing * math.sin(self.phase) * 0.8)
-        self._bend(hand)
         self._aim("waist", self.lean)
         for joint, angle in zip(("right_out", "right_swing", "right_elbow"), arm_angles(hand, self.lean)):
             self._aim(joint, angle)

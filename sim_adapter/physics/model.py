@@ -29,6 +29,7 @@ def build_spec(scene: Scene) -> Any:
     spec.compiler.degree = False
     spec.option.timestep = scene.sim.timestep
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP  # what rests costs nothing until it is touched
     spec.visual.headlight.ambient = [0.4, 0.4, 0.4]
     spec.visual.headlight.diffuse = [0.25, 0.25, 0.25]
     spec.visual.global_.offwidth = 1280

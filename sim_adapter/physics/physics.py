@@ -11,12 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from casper.kb.errors import DomainError
+from casper.sim_adapter.physics.guided import Guided
 from casper.sim_adapter.physics.model import build_model, hand_name, hold_name
 from casper.sim_adapter.room.placement import Spot, is_placed
 from casper.sim_adapter.room.scene import Scene
 
 Vector = NDArray[np.float64]
 STILL_SPEED = 0.03  # m/s: below it an object counts as resting
+STIR = 1e-12  # m/s: any speed wakes what sleeps; a weld that is undone does not, and it would hang in the air
 AWAY = (20.0, 20.0)  # where removed objects are parked
 
 
@@ -35,8 +37,10 @@ class Physics:
         self._hold = {self.model.equality(i).name: i for i in range(self.model.neq)}
         self._qpos = {self.model.joint(i).name: int(self.model.jnt_qposadr[i]) for i in range(self.model.njnt)}
         self._dof = {self.model.joint(i).name: int(self.model.jnt_dofadr[i]) for i in range(self.model.njnt)}
-        self._mocap = {name: int(self.model.body_mocapid[i]) for name, i in self._body.items()}
-        self._goals = self.data.mocap_pos.copy(), self.data.mocap_quat.copy()
+        self._site = {self.model.site(i).name: i for i in range(self.model.nsite)}
+        # Views, made once: each look at data.qpos makes a new array.
+        self._q, self._v, self._ctrl, self._xpos = self.data.qpos, self.data.qvel, self.data.ctrl, self.data.xpos
+        self.guided = Guided(self.model, self.data, self.substeps)
         mujoco.mj_forward(self.model, self.data)
 
     @property
@@ -57,10 +61,10 @@ class Physics:
         """Where the origin of a body is; of a movable, its middle."""
         if name in self._qpos:
             at = self._qpos[name]
-            x, y, z = self.data.qpos[at : at + 3]
+            x, y, z = self._q[at : at + 3].tolist()
         else:
-            x, y, z = self.data.xpos[self._body[name]]
-        return float(x), float(y), float(z)
+            x, y, z = self._xpos[self._body[name]].tolist()
+        return x, y, z
 
     def positions(self) -> dict[str, Spot]:
         """Where every object of interest is that is still in the world."""
@@ -68,49 +72,42 @@ class Physics:
 
     def site(self, name: str) -> Vector:
         """Where a site is."""
-        return np.array(self.data.site(name).xpos)
+        return np.array(self.data.site_xpos[self._site[name]])
+
+    def looking(self, name: str) -> float:
+        """The heading of a site's x axis, radians."""
+        turned = self.data.site_xmat[self._site[name]]
+        return math.atan2(turned[3], turned[0])
 
     def joint(self, name: str) -> float:
         """Angle (or way) of a joint."""
-        return float(self.data.qpos[self._qpos[name]])
+        return float(self._q[self._qpos[name]])
 
     def joint_speed(self, name: str) -> float:
         """Speed of a joint."""
-        return float(self.data.qvel[self._dof[name]])
+        return float(self._v[self._dof[name]])
 
     def set_joint(self, name: str, value: float) -> None:
         """Put a joint and its servo somewhere at once (only for the start)."""
-        self.data.qpos[self._qpos[name]] = value
-        self.data.ctrl[self._servo[name]] = value
+        self._q[self._qpos[name]] = value
+        self._ctrl[self._servo[name]] = value
 
     def servo(self, name: str, value: float) -> None:
         """Set what a servo aims at."""
-        self.data.ctrl[self._servo[name]] = value
+        self._ctrl[self._servo[name]] = value
 
     def speed(self, name: str) -> float:
         """Speed of a movable, m/s."""
         at = self._dof[name]
-        return float(np.linalg.norm(self.data.qvel[at : at + 3]))
+        return float(np.linalg.norm(self._v[at : at + 3]))
 
     def aim_mocap(self, name: str, position: Spot, yaw: float, *, at_once: bool = False) -> None:
         """Where a mocap body shall be at the end of the next control step."""
-        index = self._mocap[name]
-        quat = (math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2))
-        if self.data.mocap_quat[index] @ quat < 0:
-            quat = (-quat[0], 0.0, 0.0, -quat[3])
-        self._goals[0][index], self._goals[1][index] = position, quat
-        if at_once:
-            self.data.mocap_pos[index], self.data.mocap_quat[index] = position, quat
+        self.guided.aim(name, position, yaw, at_once=at_once)
 
     def step(self) -> None:
-        """One control step: the mocap bodies glide to their goals, so that what they hold is not jerked."""
-        data = self.data
-        pos, quat = data.mocap_pos.copy(), data.mocap_quat.copy()
-        for substep in range(1, self.substeps + 1):
-            share = substep / self.substeps
-            data.mocap_pos[:] = pos + share * (self._goals[0] - pos)
-            data.mocap_quat[:] = quat + share * (self._goals[1] - quat)
-            mujoco.mj_step(self.model, data)
+        """One control step."""
+        self.guided.step(gliding=any(hand_name(agent) in self.guided for agent in self._held))
 
     def refresh(self) -> None:
         """Bring everything that is derived from the joints up to date without moving the clock."""
@@ -136,8 +133,10 @@ class Physics:
     def release(self, agent: str) -> None:
         """Let go of what the agent holds, if anything."""
         if self._held.pop(agent, None) is not None:
-            for thing in self.scene.movables:
-                self.data.eq_active[self._hold[hold_name(agent, thing)]] = 0
+            holds = {thing: self._hold[hold_name(agent, thing)] for thing in self.scene.movables}
+            for thing in (thing for thing, hold in holds.items() if self.data.eq_active[hold]):
+                self.data.eq_active[holds[thing]] = 0
+                self._v[self._dof[thing]] += STIR
 
     def contents(self, dish: str) -> list[str]:
         """What stands in a dish."""
@@ -182,6 +181,6 @@ class Physics:
     def _move(self, thing: str, pose: Sequence[float]) -> None:
         """An object rests somewhere else at once: x, y, z, and a quaternion."""
         at, dof = self._qpos[thing], self._dof[thing]
-        self.data.qpos[at : at + 7] = pose
-        self.data.qvel[dof : dof + 6] = 0.0
+        self._q[at : at + 7] = pose
+        self._v[dof : dof + 6] = 0.0
         mujoco.mj_forward(self.model, self.data)

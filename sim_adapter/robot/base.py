@@ -37,13 +37,14 @@ class RobotBase:
         self.goals: list[Point] = []  # where it wants to be
         self.others = others
         self._dt = physics.scene.sim.control
-        for joint, value in zip(("x", "y", "yaw"), start):
-            physics.set_joint(f"{self.name}:{joint}", value)
+        self._joints = tuple(f"{self.name}:{joint}" for joint in ("x", "y", "yaw"))
+        for joint, value in zip(self._joints, start):
+            physics.set_joint(joint, value)
 
     @property
     def pose(self) -> tuple[float, float, float]:
         """Where it really is: x, y, heading within ±π."""
-        x, y, yaw = (self.physics.joint(f"{self.name}:{joint}") for joint in ("x", "y", "yaw"))
+        x, y, yaw = map(self.physics.joint, self._joints)
         return x, y, turn(yaw)
 
     @property
@@ -54,8 +55,8 @@ class RobotBase:
 
     def update(self) -> None:
         """Aim the servos."""
-        for joint, value in zip(("x", "y", "yaw"), (self.aim_x, self.aim_y, self.aim_yaw)):
-            self.physics.servo(f"{self.name}:{joint}", value)
+        for joint, value in zip(self._joints, (self.aim_x, self.aim_y, self.aim_yaw)):
+            self.physics.servo(joint, value)
 
     def local(self, point: tuple[float, float, float]) -> tuple[float, float, float]:
         """A point of the world in the base frame."""

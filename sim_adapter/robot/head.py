@@ -52,8 +52,9 @@ class RobotHead:
 
     def update(self, pose: tuple[float, float, float]) -> None:
         """One control step of the neck."""
-        wanted_pan, wanted_tilt = self._limit * math.sin(SEARCH * self.physics.time), 0.25
-        if self.seen is not None and not self.lost:
+        if self.seen is None or self.lost:
+            wanted_pan, wanted_tilt = self._limit * math.sin(SEARCH * self.physics.time), 0.25
+        else:
             wanted_pan = turn(bearing(pose[:2], self.seen) - pose[2])
             eye = float(self.physics.site(f"{self.name}:eye")[2])
             wanted_tilt = math.atan2(eye - EYE_LEVEL, max(0.3, math.dist(pose[:2], self.seen)))

@@ -13,7 +13,7 @@ from casper.kb.terms.numbers import as_float
 class SimSettings:
     """Seconds of a physics step, of a control step, and between two world states."""
 
-    timestep: float = 0.005
+    timestep: float = 0.01
     control: float = 0.02
     period: float = 0.5
 
