@@ -28,15 +28,16 @@ def inner_floor(place: Thing, at: Spot) -> float:
 def place_spot(scene: Scene, where: Mapping[str, Spot], target: str, destination: str, near: Point) -> Spot:
     """Where the middle of ``target`` belongs when put at ``destination``; ``where`` has the present positions.
 
-    The spot nearest the middle (beside: to the side, as the agent at ``near`` sees it) that is free of other objects;
-    when nothing is free, the middle, on top of what lies there.
+    The spot nearest the middle that is free of other objects, and of those that are equally near the one that the agent
+    at ``near`` reaches best (beside: to the side, as that agent sees it); when nothing is free, the middle, on top of
+    what lies there.
     """
     thing, place, at = scene.thing(target), scene.thing(destination), where[destination]
     others = _others(scene, where, target, destination)
     if place.placing == "beside":
         return _beside(scene, thing, place, at, others, near)
     floor = inner_floor(place, at)
-    for x, y in _offsets(at):
+    for x, y in _offsets(at, near):
         if _fits(thing, place, (x - at[0], y - at[1])) and _clear(thing, (x, y), others):
             return x, y, floor + thing.height / 2
     below = [z + o.height / 2 for o, (x, y, z) in others if math.dist((x, y), at[:2]) < thing.radius + o.radius]
@@ -76,12 +77,13 @@ def _clear(thing: Thing, spot: Point, others: list[tuple[Thing, Spot]]) -> bool:
     return all(math.dist(spot, at[:2]) >= thing.radius + o.radius + MARGIN for o, at in others)
 
 
-def _offsets(at: Spot) -> Iterator[Point]:
+def _offsets(at: Spot, near: Point) -> Iterator[Point]:
+    """Ring after ring round the middle; of each ring first what is nearest to who is to reach it."""
     yield at[0], at[1]
     for ring in range(1, 11):
-        for eighth in range(8):
-            angle, reach = math.pi * eighth / 4, 0.02 * ring
-            yield at[0] + reach * math.cos(angle), at[1] + reach * math.sin(angle)
+        turns = ((0.02 * ring, math.pi * eighth / 4) for eighth in range(8))
+        points = [(at[0] + reach * math.cos(angle), at[1] + reach * math.sin(angle)) for reach, angle in turns]
+        yield from sorted(points, key=lambda point: round(math.dist(point, near), 3))
 
 
 def _fits(thing: Thing, place: Thing, offset: Point) -> bool:
