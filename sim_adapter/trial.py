@@ -13,6 +13,7 @@ from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.live.partners import Partners
 from casper.engine.mind import Mind
+from casper.engine.perception.world import WorldState
 from casper.engine.settings import check_seed
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
@@ -70,6 +71,7 @@ class Trial:
     partners: dict[str, Partner] = field(init=False)
     helper: Helper = field(init=False)
     each_step: Callable[[], object] = field(default=bool, init=False)  # called at the start and after every period
+    sensed: Callable[[WorldState], object] = field(default=bool, init=False)  # handed what the minds are about to see
 
     def __post_init__(self) -> None:
         chosen = self.settings
@@ -125,7 +127,9 @@ class Trial:
             self.simulation.advance(period)
             self.each_step()
             now = self.simulation.time
-            told = self.minds.update(self.simulation.observe())
+            world = self.simulation.observe()
+            self.sensed(world)
+            told = self.minds.update(world)
             yield from told
             self._heard(told)
             did = list(self.helper.update(list(self.minds.minds.values()), now))

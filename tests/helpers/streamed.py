@@ -5,6 +5,7 @@ import json
 from casper import Domain
 from casper.engine.live import Partners
 from casper.streams.items import Line, Note
+from casper.streams.recordings.kept import Kept
 from casper.streams.watching import watched
 
 KITCHEN = Domain.load("kitchen")
@@ -21,12 +22,15 @@ def line(what):
     return what if isinstance(what, (str, Line, Note)) else json.dumps(what)
 
 
-class Watched(list):
+class Watched(list, Kept):
     """The events of a watch, and what the minds took in."""
 
     def __init__(self, lines, window=0.0):
         self.taken = []
-        super().__init__(watched(Partners(KITCHEN), lines, window=window, taken=self.taken.append))
+        super().__init__(watched(Partners(KITCHEN), lines, window=window, kept=self))
+
+    def given(self, message):
+        self.taken.append(message)
 
 
 def watch(*what, window=0.0):

@@ -20,6 +20,7 @@ SLOWEST, SURE = 0.12, 0.3  # m/s: below it nobody walks, above it everybody does
 CREEP = 0.03  # metres a step by which the place of one who stands is mended
 HOLDS = 0.3  # the share from which something is in the hand: in the middle of a use it is there for a moment only
 LEAST_NOISE = 0.01  # metres
+PAUSE = 60.0  # seconds without a world state after which nothing more is told until the next
 LOOKS = 0.3  # seconds around a moment whose headings count
 
 
@@ -49,22 +50,40 @@ class Steadier:
         self._first_lag = lag
         self._noise = LEAST_NOISE
         self._marked = self._told = 0  # paces
+        self._seen: float | None = None  # when the last world state was
         self._people: dict[str, _Person] = {}
         self._things: dict[str, Handling] = {}
         self.jumps: list[str] = []  # what was found elsewhere with nobody near, at the last world state
 
     def update(self, world: WorldState, quality: Quality) -> list[WorldState]:
         """Take in one; those that are told by now."""
+        before = self._rested(world.t) if self._seen is not None and world.t - self._seen > PAUSE else []
+        self._seen = world.t
         while (mark := self._content(self._marked + 1)) <= world.t:
             self._marked += 1
             self._mark(mark)
         self._noise = max(quality.noise or LEAST_NOISE, LEAST_NOISE)
         self._sense(world, self._noise)
         self.lag = max(self.lag, self._wanted(quality))
+        return before + self._told_by(world.t)
+
+    def _told_by(self, t: float) -> list[WorldState]:
         found = []
-        while self._content(self._told + 1) + self.lag <= world.t + 1e-9:
+        while self._content(self._told + 1) + self.lag <= t + 1e-9:
             self._told += 1
             found.append(self._tell())
+        return found
+
+    def _rested(self, t: float) -> list[WorldState]:
+        """Those of the beginning of a long pause; then it is gone on with at its end, at the same pace."""
+        assert self._seen is not None
+        while (mark := self._content(self._marked + 1)) <= self._seen + PAUSE:
+            self._marked += 1
+            self._mark(mark)
+        found = self._told_by(self._seen + PAUSE)
+        skipped = math.floor((t - self._content(self._marked)) / self.pace) - 1
+        self._marked += max(skipped, 0)
+        self._told = self._marked
         return found
 
     def _content(self, number: int) -> float:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, nullcontext
 from functools import partial
-from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +14,7 @@ from casper.batch.rows import Rows
 from casper.batch.tables import check_table, rows_of, write_table
 from casper.batch.tasks import TASKS, Result
 from casper.batch.workers import chunks_of, job_of, work_on
+from casper.engine.domain.digest import digest
 from casper.engine.domain.domain import Domain
 
 if TYPE_CHECKING:
@@ -105,7 +105,7 @@ def run(
     TRIED[name](loaded, options)
     todo = rows_of(rows, TASKS[name].key)
     job = job_of(name, loaded, options)
-    journal = None if file is None else Journal(_journal_of(file), about(job, todo, _digest(loaded)))
+    journal = None if file is None else Journal(_journal_of(file), about(job, todo, digest(loaded)))
     done = {} if journal is None else journal.done
     left = [row for row in todo if row.number not in done]
     finished = False
@@ -147,11 +147,6 @@ TRIED: dict[str, Callable[[Domain, Mapping[str, Any]], None]] = {
 
 def _journal_of(file: Path) -> Path:
     return file.with_name(f"{file.name}.journal")
-
-
-def _digest(domain: Domain) -> str:
-    text = f"{domain.kb.to_text()}\n{domain.library.to_text()}\n{domain.verifies}{domain.kb.language}"
-    return sha256(text.encode("utf-8", "surrogateescape")).hexdigest()
 
 
 def _quiet(number: int) -> None:

@@ -5,18 +5,20 @@ A task names the column it works on and those it gives; all rows of a task have 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeAlias
 
 from casper.batch.rows import Row, others, text_of, texts_of, wanted
 from casper.engine.domain.domain import Domain
-from casper.engine.mind import Mind
-from casper.engine.perception.world import world_state_from_json
-from casper.kb.errors import CasperError, WorldStateError
+from casper.engine.live import Partners
+from casper.kb.errors import CasperError
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
+from casper.streams.order.window import usual_window
+from casper.streams.sources.files import File
+from casper.streams.watching import watched
 
 Result: TypeAlias = dict[str, Any]
 
@@ -74,26 +76,17 @@ def _verify(domain: Domain, statement: Any, options: Mapping[str, Any]) -> Resul
 
 
 def _watch(domain: Domain, recording: Any, options: Mapping[str, Any]) -> Result:
-    """A recording is a file of world states, one JSON object a line, as ``casper watch`` reads them."""
+    """A recording is a file of world states, one JSON object a line, as ``casper watch`` reads it."""
     file = Path(text_of(recording, "recording"))
-    mind, left_out = Mind(domain, **options), 0
-    for line in _lines(file):
-        try:
-            mind.update(world_state_from_json(line))
-        except WorldStateError:
+    summary, left_out = {}, 0
+    for event in watched(Partners(domain, **options), File(file).items(), window=usual_window(is_live=False)):
+        if event.type == "warning" and " is left out: " in event.data["message"]:
             left_out += 1
-    summary = mind.summary()
+        elif event.type == "summary":
+            summary = dict(event.data)
     robot = summary["robot"]
     told = {name: summary[name] for name in WATCH.gives if name in summary}
     return {**told, "recording": str(file), "robot": list(robot["actions"]), "left_out": left_out}
-
-
-def _lines(file: Path) -> Iterator[str]:
-    try:
-        with file.open(encoding="utf-8-sig", errors="surrogateescape") as lines:
-            yield from (line for line in lines if line.strip())
-    except OSError as mistake:
-        raise CasperError(f"cannot read {file} ({mistake.strerror or mistake})") from None
 
 
 EXPLAIN = Task(

@@ -28,6 +28,8 @@ from casper.cli.terminal.codes import epilog
 from casper.cli.terminal.plain import settle_streams
 from casper.cli.terminal.showing import complain
 from casper.cli.watching.batch import batch
+from casper.cli.watching.record import record
+from casper.cli.watching.replay import replay
 from casper.cli.watching.run import run
 from casper.cli.watching.watch import watch
 from casper.kb.errors import CasperError
@@ -41,7 +43,8 @@ app = typer.Typer(
     epilog=epilog(),
     rich_markup_mode=None,  # plain help: nothing is cut off in a narrow terminal, and no text is taken for markup
 )
-for command in (run, explain, verify, query, repl, serve, batch, watch, check, new, train, import_, lsp, doctor):
+asked, watching = (explain, verify, query, repl, serve, batch), (watch, record, replay)
+for command in (run, *asked, *watching, check, new, train, import_, lsp, doctor):
     name = command.__name__.rstrip("_")
     # a sentence in whole, not its beginning
     app.command(name, short_help=(command.__doc__ or "").split("\n")[0])(command)

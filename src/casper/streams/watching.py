@@ -3,28 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
+from typing import TypeAlias
 
+from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
-from casper.engine.live import Live, Partners, Report, heard
+from casper.engine.live import Live, Partners, heard
 from casper.engine.mind import Mind
-from casper.engine.perception.world import WorldState
 from casper.kb.errors import WorldStateError
-from casper.streams.items import Given, Item, Line, Note
+from casper.streams.items import Item, Line, Note
 from casper.streams.order.messages import messages
-from casper.streams.order.sightings import Sightings
+from casper.streams.order.sightings import sighted
 from casper.streams.order.window import in_order
+from casper.streams.recordings.kept import Kept
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
+Watching: TypeAlias = Mind | Partners | Live
 
 
 def watched(
-    mind: Mind | Partners | Live,
+    mind: Watching,
     lines: Iterable[Line | Note | str],
     reload: bool = False,
     window: float = 0.0,
-    taken: Callable[[WorldState | Report], object] | None = None,
+    kept: Kept | None = None,
 ) -> Iterator[Event]:
     """The events of a mind, or of those of all partners, for lines of JSON; the last one is the ``summary``.
 
@@ -33,13 +33,34 @@ def watched(
         lines: of world states and reports, or their texts.
         reload: changes in the domain's files are taken in between two lines, and told as warnings, too.
         window: seconds by which a line may be late (`order.window`).
-        taken: is handed what the mind takes in, before it does.
+        kept: is handed what the mind takes in, before it does, and the warnings that are not the mind's.
     """
     live = mind if isinstance(mind, Live) else Live(mind)
-    return told(live, in_order(messages(numbered(lines)), window), reload, taken)
+    return _told(live, taken_in(lines, live.mind.domain, window), reload, Kept() if kept is None else kept)
 
 
-def numbered(lines: Iterable[Line | Note | str]) -> Iterator[Line | Note]:
+def taken_in(lines: Iterable[Line | Note | str], domain: Domain, window: float) -> Iterator[Item]:
+    """What minds of a domain can take in, in order, and a sentence for all else."""
+    return sighted(in_order(messages(_numbered(lines)), window), domain)
+
+
+def recorded(kept: Kept, lines: Iterable[Line | Note | str], domain: Domain, window: float) -> Iterator[Event]:
+    """Keep what minds of a domain would take in, without any; the warnings."""
+    now = 0.0
+    for item in taken_in(lines, domain, window):
+        if isinstance(item, Note):
+            yield kept.aside(warning(now, item.sentence))
+        else:
+            kept.given(item.message)
+            now = item.message.t
+
+
+def warning(t: float, message: str) -> Event:
+    """A sentence about the stream as an event."""
+    return Event("warning", t, {"message": message})
+
+
+def _numbered(lines: Iterable[Line | Note | str]) -> Iterator[Line | Note]:
     """Lines with their numbers, where they are texts alone."""
     for number, line in enumerate(lines, 1):
         if not isinstance(line, str):
@@ -48,41 +69,21 @@ def numbered(lines: Iterable[Line | Note | str]) -> Iterator[Line | Note]:
             yield Line(line, number)
 
 
-def told(
-    live: Live,
-    items: Iterable[Item],
-    reload: bool = False,
-    taken: Callable[[WorldState | Report], object] | None = None,
-) -> Iterator[Event]:
-    """As `watched`, of what is in order already."""
-    now, sightings = 0.0, Sightings(live.mind.domain)
+def _told(live: Live, items: Iterable[Item], reload: bool, kept: Kept) -> Iterator[Event]:
+    now = 0.0
     for item in items:
         for change in live.refresh() if reload else ():
-            yield _warning(now, change)
+            yield kept.aside(warning(now, change))
         if isinstance(item, Note):
-            yield _warning(now, item.sentence)
+            yield kept.aside(warning(now, item.sentence))
             continue
-        message = item.message
-        sentences: list[str] = []
-        if isinstance(message, WorldState):
-            message, sentences = sightings.update(message)
+        kept.given(item.message)
         try:
-            if taken is not None:
-                taken(message)
-            events = heard(live.mind, message)
+            events = heard(live.mind, item.message)
         except WorldStateError as mistake:
-            yield _warning(now, _refused(item, mistake.sentence))
+            yield kept.aside(warning(now, f"{item.where} is left out: {mistake.sentence}"))
             continue
-        now = message.t
-        yield from (_warning(now, f"{item.where}: {sentence}") for sentence in sentences)
+        now = item.message.t
         yield from events
     yield from live.mind.end(now)
     yield Event("summary", now, live.mind.summary())
-
-
-def _warning(t: float, message: str) -> Event:
-    return Event("warning", t, {"message": message})
-
-
-def _refused(item: Given, why: str) -> str:
-    return f"{item.where} is left out: {why}"

@@ -180,3 +180,18 @@ def test_filters_can_be_switched_off():
     worlds = resting(0.06)
     usual = Tracker(TrackerSettings())
     assert steadied(worlds, steady=False)[0] == [usual.update(world) for world in worlds]
+
+
+def test_a_long_pause_is_not_told_pace_by_pace_and_nothing_before_it_is_lost():
+    plate = ObjectState(1.0, 0.0, 0.8)
+    human = AgentState(0.0, 0.0, 0.0)
+    steadier = Steadier(0.0)
+    quality = Quality(0.06, 0.0, 0.5)
+    times = [0.5 * n for n in range(1, 20)] + [1e6 + 0.5 * n for n in range(20)]
+    told = [w for t in times for w in steadier.update(WorldState(t, {"human": human}, {"plate": plate}), quality)]
+    assert len(told) < 200
+    assert all(early.t < late.t for early, late in itertools.pairwise(told))
+    before, after = [w for w in told if w.t < 100], [w for w in told if w.t > 1e6]
+    assert "human" in before[10].agents and "human" in after[-1].agents
+    assert after[-1].t >= 1e6 + 9.0
+    assert all("plate" in w.objects for w in (*before[5:], *after))

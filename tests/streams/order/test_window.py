@@ -8,15 +8,15 @@ from hypothesis import strategies as st
 from streamed import line, state, times, warnings, watch
 
 from casper.engine.live import Report
+from casper.engine.perception.world import WorldState
 from casper.kb.errors import CasperError
-from casper.streams.items import Given, Note
+from casper.streams.items import Given, Line, Note
 from casper.streams.order.messages import messages
 from casper.streams.order.window import MOST, Window, check_window, in_order
-from casper.streams.watching import numbered
 
 
 def ordered(*what, window):
-    return list(in_order(messages(numbered(map(line, what))), window))
+    return list(in_order(messages(Line(line(each), n) for n, each in enumerate(what, 1)), window))
 
 
 def report(t):
@@ -77,7 +77,7 @@ def test_a_report_of_the_past_is_left_out():
 
 def test_what_waits_is_bounded():
     window = Window(1e9)
-    told = [item for t in range(MOST + 3) for item in window.take(ordered(state(float(t)), window=0)[0])]
+    told = [item for t in range(MOST + 3) for item in window.take(Given(WorldState(float(t), {}, {}), t))]
     assert [item.message.t for item in told] == [0.0, 1.0, 2.0]
 
 

@@ -8,7 +8,7 @@ CODES: dict[int, str] = {
     0: "done; the answer is yes",
     1: "the answer is no: a statement is not valid (verify), nothing answers (query), a domain has errors (check), "
     "an import contradicts itself (import), a row has a mistake (batch), "
-    "something is broken (doctor), a connection was lost (watch)",
+    "something is broken (doctor), a connection was lost (watch), a replay is not the same (replay)",
     2: "a mistake, told in one sentence on standard error: an argument, a file, a missing library",
     130: "interrupted from the keyboard",
 }

@@ -55,3 +55,7 @@ Reconnect = Annotated[
     float,
     typer.Option(metavar="S", min=0, help="Wait S seconds for a connection that is not there, or ended; 0: do not."),
 ]
+Record = Annotated[
+    Path | None, typer.Option("--record", metavar="FILE", help="Keep what the minds take in, for casper replay.")
+]
+Speed = Annotated[float, typer.Option(help="Seconds of the stream a second: 1 is as it was, 0 as fast as it goes.")]

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import math
 import os
 import sys
-import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -20,12 +18,16 @@ from casper.cli.terminal.options import (
     Noise,
     PolicyName,
     Quiet,
+    Record,
     Report,
+    Speed,
     Unverified,
 )
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
+    from casper.sim_adapter.trial import Trial
+    from casper.streams.recordings.writing import Writer
 
 
 def _goals(incomplete: str) -> list[str]:
@@ -33,9 +35,6 @@ def _goals(incomplete: str) -> list[str]:
     from casper.cli.terminal.completing import goals, typed_domain
 
     return goals(typed_domain("run"), incomplete)
-
-
-NAP = 3600.0  # seconds slept at once: no platform counts up to any float
 
 
 def run(
@@ -59,9 +58,10 @@ def run(
     changes_mind: Annotated[
         bool, typer.Option("--changes-mind", help="The first goal is given up for the next after its first action.")
     ] = False,
-    speed: Annotated[float, typer.Option(help="Simulated seconds a second; 0 is as fast as it goes.")] = 0.0,
+    speed: Speed = 0.0,
     language: Language = None,
     report: Report = None,
+    record: Record = None,
     video: Annotated[
         Path | None, typer.Option(metavar="FILE.mp4", help="Film it, four times as fast as it was (needs [video]).")
     ] = None,
@@ -71,14 +71,17 @@ def run(
     """Simulate a partner in the domain's room, read their goals, and do the robot's part."""
     from casper.cli.terminal.extras import needs
     from casper.cli.terminal.output import console, print_json
+    from casper.cli.terminal.pacing import check_speed, paced
     from casper.cli.terminal.progress import progress
     from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
     from casper.engine.events.timeline import Timeline
     from casper.engine.live.memory import keep_loaded
     from casper.report.writing import check_page, reporting
+    from casper.streams.recordings.header import header_of
+    from casper.streams.recordings.writing import check_recording, recording
 
-    _check_speed(speed)
+    check_speed(speed)
     loaded = Domain.load(domain, language)
     needs("mujoco", "sim")
     if video is not None:
@@ -91,18 +94,22 @@ def run(
         check_film(video)
     if report is not None:
         check_page(report)
+    if record is not None:
+        check_recording(record)
     trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind))
     out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
+    header = header_of(loaded, language, trial.minds.choices, seed)
     keep_loaded()
     waits = progress("simulating", None, quiet or sys.stdout.isatty())
-    with filming(trial.simulation, video), reporting(loaded, report) as recorder, waits:
+    film = filming(trial.simulation, video)
+    with recording(record, header) as writer, film, reporting(loaded, report) as recorder, waits:
         if not as_json and not quiet:
             show(out, timeline.open(loaded.name, seed))
-        events = trial.events()
+        events = trial.events() if writer is None else _recorded(trial, writer)
         if recorder is not None:
             trial.each_step = lambda: recorder.see(trial.simulation.truth())
             events = recorder.heard(events, trial.minds)
-        for event in _paced(events, speed):
+        for event in paced(events, speed):
             if as_json:
                 print_json(event.to_json())
             elif not quiet or event.type == "summary":
@@ -115,18 +122,8 @@ def _without_a_screen() -> None:
         os.environ.setdefault("MUJOCO_GL", "egl")
 
 
-def _check_speed(speed: float) -> None:
-    from casper.kb.errors import CasperError
-
-    if not 0 <= speed < math.inf:
-        raise CasperError(f"the speed is a finite number from 0 (as fast as it goes), not {speed}")
-
-
-def _paced(events: Iterable[Event], speed: float) -> Iterator[Event]:
-    """The events, held back to the asked pace."""
-    began = time.monotonic()
-    for event in events:
-        if speed > 0:
-            while (left := event.t / speed - (time.monotonic() - began)) > 0:
-                time.sleep(min(left, NAP))
-        yield event
+def _recorded(trial: Trial, writer: Writer) -> Iterator[Event]:
+    """The events of a trial, and what a replay needs of it on the way into a recording."""
+    trial.sensed = writer.given
+    for event in writer.heard(trial.events()):
+        yield writer.aside(event) if event.type in ("robot", "summary") else event

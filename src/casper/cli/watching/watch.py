@@ -19,6 +19,7 @@ from casper.cli.terminal.options import (
     Noise,
     PolicyName,
     Reconnect,
+    Record,
     Report,
     SourceName,
     Stops,
@@ -41,6 +42,7 @@ def watch(
     reload: Annotated[bool, typer.Option("--reload", help="Read the domain anew when its files change.")] = False,
     language: Language = None,
     report: Report = None,
+    record: Record = None,
     as_json: AsJson = False,
 ) -> None:
     """Watch partners through world states from standard input, a file or a socket; a bad line is told and left out.
@@ -55,19 +57,26 @@ def watch(
     from casper.engine.live.memory import keep_loaded
     from casper.report.writing import reporting
     from casper.streams.order.window import check_window, usual_window
+    from casper.streams.recordings.header import header_of
+    from casper.streams.recordings.writing import check_recording, recording
     from casper.streams.sources.source import source_of
     from casper.streams.watching import watched
 
+    if record is not None:
+        _check_reload(reload)
+        check_recording(record)
     loaded = Domain.load(domain, language)
-    live = Live(Partners(loaded, verification=not no_verification, policy=policy, noise=noise, goals=goals, stops=stop))
+    chosen = {"verification": not no_verification, "policy": policy, "noise": noise, "goals": goals, "stops": stop}
+    live = Live(Partners(loaded, **chosen))
     if window is not None:
         check_window(window)
     stream = source_of(source, listen, reconnect, complain)
     seconds = usual_window(stream.is_live) if window is None else window
     out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
     keep_loaded()
-    with reporting(loaded, report) as recorder:
-        for event in watched(live, stream.items(), reload, seconds):
+    with recording(record, header_of(loaded, language, chosen)) as writer, reporting(loaded, report) as recorder:
+        events = watched(live, stream.items(), reload, seconds, writer)
+        for event in events if writer is None else writer.heard(events):
             if recorder is not None:
                 recorder.see(live.mind.tracker.latest)
                 recorder.take(event, live.mind)
@@ -76,3 +85,10 @@ def watch(
             else:
                 show(out, timeline.lines(event))
     raise typer.Exit(1 if stream.lost else 0)
+
+
+def _check_reload(reload: bool) -> None:
+    from casper.kb.errors import CasperError
+
+    if reload:
+        raise CasperError("--record and --reload do not go together: a recording is of one domain")

@@ -5,18 +5,31 @@ Nothing is mended here but what would make no sense to a mind; the rest is told,
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from math import hypot
 
 from casper.engine.domain.domain import Domain
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
+from casper.streams.items import Item, Note
 
 STEP, FASTEST = 1.5, 3.0  # metres, and m/s beside them, that an agent may be from where it was
 APART = 0.6  # metres that a thing may be from where it was, whatever the sensor
 REACH = 1.6  # metres from an agent within which things are moved
 UNSEEN = 60.0  # seconds after which it is told that something is not seen any more
 MOST = 1_000  # names that are followed
+
+
+def sighted(items: Iterable[Item], domain: Domain) -> Iterator[Item]:
+    """What minds of a domain can take in, and before each state what there is to say about it."""
+    sightings = Sightings(domain)
+    for item in items:
+        if isinstance(item, Note) or not isinstance(item.message, WorldState):
+            yield item
+            continue
+        world, told = sightings.update(item.message)
+        yield from (Note(f"{item.where}: {sentence}") for sentence in told)
+        yield item if world is item.message else replace(item, message=world)
 
 
 class Sightings:
