@@ -85,3 +85,35 @@ def test_a_misspelt_value_is_a_finding_and_nothing_else_is_printed(tmp_path):
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.stderr == "" and len(done.stdout.splitlines()) == 1
     assert "is no integer" in done.stdout
+
+
+def test_a_recording_of_ros_becomes_world_states_that_are_watched(casper, tmp_path):
+    pytest.importorskip("mcap_ros2")
+    from mcaps import Bag, transform
+
+    bag = Bag(tmp_path / "monday.mcap")
+    for step in range(30):
+        bag.tf(100 + step / 10, transform(100 + step / 10, "map", "person", (step / 20, 0, 0)), transform(100 + step / 10, "map", "cup", (1, 1, 1)))
+    bag.text(103, "hello")
+    bag.close()
+    (tmp_path / "names.pl").write_text("agent(human, person).\nobject(glass, cup).\n")
+    told = casper("import", str(tmp_path / "monday.mcap"), "--names", str(tmp_path / "names.pl"), "--period", "0.5", str(tmp_path / "out"), "--json")
+    assert (told.code, [x["severity"] for x in told.json]) == (0, ["note", "note"])
+    seen = casper("watch", "kitchen", str(tmp_path / "out" / "monday.jsonl"), "--json").json
+    assert [e["t"] for e in seen if e["type"] == "focus"] == [0, 0.5, 1.0, 1.5, 2.0, 2.5]
+    assert seen[0]["scores"].keys() == {"glass"}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("a.mcap", "b.ttl", "out"), "b.ttl is no MCAP file"),
+        (("b.ttl", "--period", "1", "out"), "--names and --period are about .mcap files"),
+        (("a.mcap", "--period", "0", "out"), "the period is a number of seconds"),
+        (("a.mcap", "--names", "n.pl", "--partner", "ann", "out"), "who acts in a recording is said by --names"),
+    ],
+)
+def test_options_that_do_not_fit_a_recording_are_refused(casper, tmp_path, monkeypatch, arguments, told):
+    monkeypatch.chdir(tmp_path)
+    refused = casper("import", *arguments)
+    assert (refused.code, told in refused.err) == (2, True)

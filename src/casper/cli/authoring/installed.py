@@ -25,6 +25,7 @@ PURPOSES: Mapping[str, str] = {
     "tables": "casper batch with .parquet; pandas and Arrow in Python",
     "batch": "casper batch --jobs and --cluster",
     "owl": "casper import of ontologies",
+    "mcap": "casper import of .mcap, recordings of ROS 2",
     "planning": "casper import of .pddl and .hddl; casper.planning",
     "behaviour-trees": "casper.planning.behaviour_tree",
     "testing": "pytest --casper-domain; casper.testing",
