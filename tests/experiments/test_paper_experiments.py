@@ -10,6 +10,7 @@ from casper.engine.domain.domain import Domain
 from casper.experiments.experiment import Asked, Data, shown
 from casper.experiments.figures.focus import _covers, spread
 from casper.experiments.figures.movements import forks
+from casper.experiments.files import read_data
 from casper.experiments.page import block, renewed
 from casper.experiments.paper.verification import verdict
 from casper.experiments.printed import GOAL_ROWS, SEQUENCES, WINNERS
@@ -181,3 +182,19 @@ def test_what_cannot_be_drawn_is_told(tmp_path, text):
         (tmp_path / "goals.json").write_text(text)
     with pytest.raises(CasperError, match="without --redraw"):
         list(run_experiments(["goals"], Where(tmp_path, redraw=True)))
+
+
+# --- the page of this repository ------------------------------------------------------------------------------------
+
+
+PARTS = re.findall(r"<!-- experiment (\w+) -->\n.*?<!-- experiment \w+: end -->", PAGE.read_text(), re.DOTALL)
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_the_page_is_what_its_data_say_and_is_not_typed(name):
+    part = block(EXPERIMENTS[name], read_data(PAGE.parent / "paper", name), "paper/")
+    assert part in PAGE.read_text()
+
+
+def test_the_page_has_all_of_the_paper():
+    assert [experiment.name for experiment in KITCHEN] == PARTS[: len(KITCHEN)]

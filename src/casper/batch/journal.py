@@ -42,6 +42,7 @@ class Journal:
         header: Mapping[str, Any],
         key: Callable[[Result], Any] = itemgetter("row"),
         differs: str = "other rows, options or domain",
+        advice: str = "delete it, or write to another file",
     ) -> None:
         """Open a journal, or begin one.
 
@@ -49,13 +50,13 @@ class Journal:
             file: where.
             header: what the run is about.
             key: by which results are kept in `done`; by default their row's number.
-            differs: what may be another run's, for the sentence that refuses it.
+            differs, advice: what may be another run's, and what to do then, for the sentence that refuses it.
 
         Raises:
             CasperError: it belongs to another run, or the file cannot be read or written.
         """
         self.file, self.done = file, dict[Any, Result]()
-        self._key, self._differs = key, differs
+        self._key, self._refusal = key, f"is the journal of another run ({differs}); {advice}"
         try:
             whole = self._read(header) if file.exists() else 0
             self._out: IO[bytes] = file.open("r+b" if file.exists() else "w+b")
@@ -71,8 +72,7 @@ class Journal:
         whole = 0
         for line, value in _whole_lines(self.file):
             if not whole and value != header:
-                sentence = f"{self.file} is the journal of another run ({self._differs})"
-                raise CasperError(f"{sentence}; delete it, or write to another file")
+                raise CasperError(f"{self.file} {self._refusal}")
             if whole:
                 self.done[self._key(value)] = value
             whole += len(line)

@@ -89,7 +89,8 @@ def _key(result: Result) -> str:
 
 def _journal(file: Path, domain: Domain) -> Journal:
     header = {"casper trials": FORMAT, "domain": digest(domain), "code": code()}
-    return Journal(file, header, _key, "another domain, or another version of casper")
+    advice = "choose another file or folder, or begin anew: casper experiment --fresh forgets it"
+    return Journal(file, header, _key, "another domain, or another version of casper", advice)
 
 
 @cache

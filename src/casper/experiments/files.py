@@ -36,7 +36,7 @@ def write_data(folder: Path, data: Data) -> Iterator[Path]:
         CasperError: a file cannot be written.
     """
     file = folder / f"{data.name}.json"
-    text = json.dumps(data.to_json(), ensure_ascii=False, indent=1) + "\n"
+    text = "{\n" + ",\n".join(f'"{name}": {_lines(value)}' for name, value in data.to_json().items()) + "\n}\n"
     beside = file.with_name(f".{file.name}.part")
     try:
         beside.write_text(text, encoding="utf-8")
@@ -47,6 +47,18 @@ def write_data(folder: Path, data: Data) -> Iterator[Path]:
     table = folder / f"{data.name}.csv"
     write_table(table, data.rows)
     yield table
+
+
+def _lines(value: object) -> str:
+    """JSON with each row of a list, and each part of a mapping, on a line of its own."""
+    parts = [(None, one) for one in value] if isinstance(value, list) else []
+    parts = list(value.items()) if isinstance(value, dict) else parts
+    if not parts:
+        return json.dumps(value, ensure_ascii=False)
+    names = ["" if key is None else f"{json.dumps(key)}: " for key, _ in parts]
+    texts = [name + json.dumps(one, ensure_ascii=False) for name, (_, one) in zip(names, parts)]
+    opens, closes = "[]" if isinstance(value, list) else "{}"
+    return f"{opens}\n " + ",\n ".join(texts) + f"\n{closes}"
 
 
 def read_data(folder: Path, name: str) -> Data:

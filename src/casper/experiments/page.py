@@ -47,7 +47,8 @@ def renewed(text: str, name: str, part: str) -> str:
 def write_page(page: Path, experiments: Sequence[Experiment], folder: Path) -> None:
     """Renew the parts of some experiments in a page; what else stands there stays. Their figures go beside it.
 
-    A page in the folder of the data links to the figures there; any other gets copies in a folder of its own name.
+    A page in the folder of the data links to the figures there; any other gets copies of figures and data in a folder
+    of its own name.
 
     Raises:
         CasperError: data or a page that cannot be read, or files that cannot be written.
@@ -66,8 +67,8 @@ def write_page(page: Path, experiments: Sequence[Experiment], folder: Path) -> N
 
 
 def _copy(page: Path, experiment: Experiment, folder: Path, beside: str) -> None:
-    if not beside or not experiment.figures:
+    if not beside:
         return
     (page.parent / beside).mkdir(exist_ok=True)
-    for name in experiment.figures:
-        shutil.copyfile(folder / f"{name}.svg", page.parent / beside / f"{name}.svg")
+    for name in (f"{experiment.name}.json", *(f"{figure}.svg" for figure in experiment.figures)):
+        shutil.copyfile(folder / name, page.parent / beside / name)

@@ -46,13 +46,17 @@ def work(asked: Asked, ran: Ran) -> Data:
     curve = focus_curve(trial.events())
     doing = {round(row["t"], 3): row for row in path}
     rows = [
-        {"t": t, "object": name, "share": share, "phase": _phase(doing.get(round(t, 3)))}
+        {"t": round(t, 3), "object": name, "share": _rounded(share), "phase": _phase(doing.get(round(t, 3)))}
         for name, shares in curve.shares.items()
         for t, share in zip(curve.times, shares)
     ]
     threshold = focus_settings(asked.domain.kb.rows).threshold
     facts = {"path": path, "room": _room(trial.simulation.scene), "threshold": threshold}
     return Data("focus", {"goal": "lunch", "seed": seed}, list(_compared(rows)), rows, facts)
+
+
+def _rounded(share: float | None) -> float | None:
+    return None if share is None else round(share, 4)
 
 
 def _phase(at: Row | None) -> str:
