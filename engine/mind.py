@@ -8,11 +8,13 @@ It never ends: what a partner does is read episode after episode (`engine.readin
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 from casper.engine.actions.actions import action_recogniser, context_table, contextualise
 from casper.engine.actions.prediction import Prediction
+from casper.engine.collaboration.acting import acting_settings
 from casper.engine.collaboration.supervisor import Supervisor
 from casper.engine.domain.agents import check_agents
 from casper.engine.domain.domain import Domain
@@ -48,6 +50,8 @@ class Mind:
         stops: an action that fits no plan any more ends it; by default it is reported and left out.
         partner: who is watched; None: the domain's `partner`.
         history: what was done so far today, which all minds of one world share; None: nothing.
+        certainty: how sure a goal must be before the robot acts on it (`engine.collaboration.acting`); None: as the
+            domain says.
         segments: makes what says which episode an action belongs to (`engine.reading.course`); None: `BySight`.
 
     Raises:
@@ -69,12 +73,14 @@ class Mind:
         partner: str | None = None,
         history: History | None = None,
         segments: Callable[[str, Callable[[], Reading]], Segments] | None = None,
+        certainty: float | None = None,
     ) -> None:
         check_agents(domain.kb)
         rows = domain.kb.rows
         self.domain, self.partner = domain, partner or domain.partner
         choices: dict[str, Any] = {"verification": verification, "policy": policy, "noise": noise, "goals": goals}
         rest: dict[str, Any] = {"helps": helps, "stops": stops, "partner": partner, "segments": segments}
+        rest["certainty"] = certainty
         self.like: Callable[..., Mind] = partial(Mind, **choices, **rest)
         self.tracker = Tracker(tracker_settings(rows))
         self.perception = Perception(perception_settings(rows), self.partner)
@@ -87,7 +93,8 @@ class Mind:
         self.verifier = Verifier(domain.kb, self.history) if verification and domain.verifies else None
         self._earlier: Sequence[Done] = ()  # what was done before the last action, as far as rules look back
         self._fresh = partial(domain.reading, **choices, partner=self.partner)
-        self.course = Course(self.partner, domain.robot if helps else None, self._begun, segments, stops=stops)
+        acting, robot = acting_settings(rows, certainty), domain.robot if helps else None
+        self.course = Course(self.partner, robot, self._begun, segments, stops=stops, acting=acting)
         self._known_actions = {name for name, _ in domain.library.actions}
         self._refused: str | None = None  # the statement that was refused last: its verdict is told once
         self._lost: Compound | None = None  # what was told last of what is forgotten
@@ -221,6 +228,7 @@ class Mind:
             observation = self.verifier.accept(verdict, prediction.t)
         else:
             observation = Observation(statement.action, t=prediction.t)
+        observation = replace(observation, certainty=min(prediction.score, 1.0))
         self._refused = None
         self.actions.accept()
         yield from self._read(observation, prediction.t)

@@ -36,7 +36,8 @@ class TrialSettings:
     ``goal`` is a goal's label, or several with commas, pursued one after the other, or dealt out in turn where there
     are several partners; what is not named is drawn from the seed. ``goals_in_a_row`` is how many there are in all, of
     each partner (None: as many as are named, at least one), ``goals`` how many the mind takes to be pursued at once.
-    Who ``changes_mind`` gives the first up for the second after one action.
+    Who ``changes_mind`` gives the first up for the second after one action. ``certainty`` is how sure a goal must be
+    before the robot acts on it (None: as the domain says).
     """
 
     goal: str | None = None
@@ -48,6 +49,7 @@ class TrialSettings:
     goals: int = 1
     goals_in_a_row: int | None = None
     changes_mind: bool = False
+    certainty: float | None = None
 
     @property
     def wanted(self) -> list[str]:
@@ -94,6 +96,7 @@ class Trial:
             helps=chosen.robot,
             noise=chosen.noise,
             goals=chosen.goals,
+            certainty=chosen.certainty,
         )
 
     @property

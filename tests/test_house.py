@@ -12,7 +12,7 @@ LINT = (
     "import sys; sys.path.insert(0, 'src'); from importlinter.cli import lint_imports; "
     "sys.exit(lint_imports(no_cache=True))"
 )
-ROOMS = ("kb", "plans", "engine", "sim_adapter", "src/casper/cli", "src/casper/notebook", "src/casper/report", "src/casper/qsr", "src/casper/streams")
+ROOMS = ("kb", "plans", "engine", "sim_adapter", "src/casper/cli", "src/casper/notebook", "src/casper/report", "src/casper/experiments", "src/casper/batch", "src/casper/qsr", "src/casper/streams")
 MOST = 14  # entries beside __init__.py: about a dozen
 
 

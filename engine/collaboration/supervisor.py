@@ -9,12 +9,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
+from casper.engine.collaboration.acting import ActingSettings, sureness
 from casper.engine.collaboration.collaboration import CollaborativePlan
 from casper.engine.events import Event
 from casper.engine.events.telling import Telling
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.explanation.situation import Situation
+from casper.engine.verification.observation import Seen, certainty_of
 from casper.kb.terms.terms import Compound
+
+AT_ONCE = ActingSettings()
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +40,7 @@ class Reads(Protocol):
         """The goal that is committed to."""
 
     @property
-    def observations(self) -> Sequence[object]:
+    def observations(self) -> Sequence[Seen]:
         """What was observed."""
 
     @property
@@ -66,11 +70,12 @@ class Reads(Protocol):
 class Supervisor:
     """Turns a reading's outcome into a plan and keeps the plan in step with what the partner does.
 
-    ``robot`` None watches only: goals are predicted, nothing is planned.
+    ``robot`` None watches only: goals are predicted, nothing is planned. ``acting`` says how sure a goal must be before
+    anything is announced.
     """
 
-    def __init__(self, reading: Reads, robot: str | None) -> None:
-        self.reading, self.robot = reading, robot
+    def __init__(self, reading: Reads, robot: str | None, acting: ActingSettings = AT_ONCE) -> None:
+        self.reading, self.robot, self.acting = reading, robot, acting
         self.commitment: Commitment | None = None
         self.waiting: tuple[Compound, ...] = ()
         self.actions: tuple[Compound, ...] = ()
@@ -113,10 +118,19 @@ class Supervisor:
     def update(self, t: float) -> Iterator[Event]:
         """Look at the reading after an observation; yields ``prediction`` and ``plan`` events where things changed."""
         goal = self.reading.outcome
-        if goal is not None and (self.commitment is None or self.commitment.goal != goal):
+        changed = goal is not None and (self.commitment is None or self.commitment.goal != goal)
+        if goal is not None and changed and self.sureness_of(goal) >= self.acting.certainty:
             yield from self._commit(goal, t)
         elif self.commitment is not None:
             yield from self._follow(self.commitment, t)
+
+    def sureness_of(self, goal: str) -> float:
+        """How sure a goal is (`acting`): by its posterior, and by the actions that its best explanation uses."""
+        explanation = self.reading.best_of(goal)
+        if explanation is None:
+            return 0.0
+        used = (seen for at, seen in enumerate(self.reading.observations) if at not in explanation.needless)
+        return sureness(self.reading.posterior.get(goal, explanation.share), map(certainty_of, used))
 
     def withdraw(self, t: float, because: str) -> Iterator[Event]:
         """Give up what was announced and is not done yet; yields ``withdrawn`` where there is such a thing."""
@@ -149,7 +163,8 @@ class Supervisor:
             yield from self.withdraw(t, self._told("other goal", goal))
         self.commitment = Commitment(goal, t, explanation, plan, len(self.reading.observations))
         observed = len(explanation.marks)
-        data = {"goal": goal, "confidence": explanation.share, "observed": observed, "missed": explanation.missed}
+        data = {"goal": goal, "confidence": explanation.share, "certainty": self.sureness_of(goal)}
+        data |= {"observed": observed, "missed": explanation.missed}
         yield Event("prediction", t, {**data, "posterior": dict(self.reading.posterior)})
         if self.robot is not None:
             yield from self._announce(plan, t)

@@ -8,6 +8,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from casper.engine.actions.prediction import action_settings
+from casper.engine.collaboration.acting import acting_settings
 from casper.engine.domain.agents import strangers
 from casper.engine.domain.relations import SECTIONS
 from casper.engine.episodes.prices import prices_of
@@ -28,6 +29,7 @@ _STAGES: tuple[tuple[str, int, Callable[[Rows], Any]], ...] = (
     ("setting", 3, focus_settings),
     ("setting", 3, action_settings),
     ("setting", 3, history_settings),
+    ("setting", 3, acting_settings),
     ("setting", 3, prices_of),
     ("movement", 5, movement_classifier),
 )

@@ -25,6 +25,7 @@ SYSTEM_RELATIONS = SHARING_NAMES | {("goal", 1), ("human", 1), ("robot", 1), ("p
 """Every relation that is asked for by name."""
 
 SECTIONS = (
-    "actions", "agents", "focus", "human", "perception", "plans", "robot", "sensor", "sim", "tracking", "verification",
+    "actions", "agents", "collaboration", "focus", "human", "perception", "plans", "robot", "sensor", "sim", "tracking",
+    "verification",
 )  # fmt: skip
 """Whom ``setting(Section, Name, Value)`` can be for."""

@@ -102,11 +102,12 @@ def _figure(explanations: Sequence[Explanation]) -> Any:
         axis.set_xlim(-0.6, widest - 0.4)
         axis.set_ylim(min(y for _, y in found.values()) - 0.5, 0.5)
         axis.axis("off")
-        _draw(axis, tree, found)
+        draw_tree(axis, tree, found)
     return figure
 
 
-def _draw(axis: Any, tree: nx.DiGraph, places: dict[int, tuple[float, float]]) -> None:
+def draw_tree(axis: Any, tree: nx.DiGraph, places: dict[int, tuple[float, float]]) -> None:
+    """Draw a marked tree (`casper.plans.trees.tree`) on axes of matplotlib, its nodes at those places."""
     from matplotlib.patches import FancyBboxPatch
 
     for above, below in tree.edges:

@@ -68,7 +68,7 @@ def renewed_partners(partners: Partners, domain: Domain) -> tuple[Partners, tupl
 def _renewed_episode(episode: Underway, fresh: Mind) -> tuple[Underway, list[Dropped]]:
     """The episode read anew, and what of it fits no more."""
     reading = fresh.reading_after(math.inf if episode.begun is None else episode.begun)
-    again = Underway(reading, Supervisor(reading, fresh.course.robot), episode.begun, episode.last)
+    again = Underway(reading, Supervisor(reading, fresh.course.robot, fresh.course.acting), episode.begun, episode.last)
     made, observations = episode.supervisor.commitment, episode.reading.observations
     before = 0 if made is None else made.observations
     dropped = replayed(observations[:before], reading)

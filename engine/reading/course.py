@@ -16,7 +16,8 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from casper.engine.collaboration.supervisor import Supervisor
+from casper.engine.collaboration.acting import ActingSettings
+from casper.engine.collaboration.supervisor import AT_ONCE, Supervisor
 from casper.engine.events import Event
 from casper.engine.reading.reading import Reading
 from casper.engine.reading.segments import Begins, BySight, LeftOut, Segments
@@ -39,6 +40,7 @@ class Course:
         segments: makes what says where an action belongs, of ``partner`` and ``fresh``; `BySight` when None.
         others: the courses of the other partners in view, whose goals an action may serve when it fits there only.
         stops: an action that fits nothing raises instead of being left out.
+        acting: how sure a goal must be before anything is announced.
     """
 
     def __init__(
@@ -49,8 +51,10 @@ class Course:
         segments: Callable[[str, Callable[[], Reading]], Segments] | None = None,
         others: Callable[[], Iterable[Course]] = tuple,
         stops: bool = False,
+        acting: ActingSettings = AT_ONCE,
     ) -> None:
         self.partner, self.robot, self.others, self.stops = partner, robot, others, stops
+        self.acting = acting
         self._fresh = fresh
         self.segments: Segments = BySight(fresh) if segments is None else segments(partner, fresh)
         self.current = self._opened()
@@ -60,7 +64,7 @@ class Course:
 
     def _opened(self) -> Underway:
         reading = self._fresh()
-        return Underway(reading, Supervisor(reading, self.robot))
+        return Underway(reading, Supervisor(reading, self.robot, self.acting))
 
     @property
     def supervisors(self) -> tuple[Supervisor, ...]:

@@ -20,12 +20,13 @@ class Observation:
     """An action of the partner: its name, and its arguments where they are known.
 
     ``args`` is None when only the name was seen; an argument that was not made out is a `Variable`. ``t`` is when it
-    was seen (seconds), where somebody looked at a clock.
+    was seen (seconds), where somebody looked at a clock; ``certainty`` how probable it is that it was seen.
     """
 
     action: str
     args: tuple[Term, ...] | None = None
     t: float | None = field(default=None, compare=False)
+    certainty: float = field(default=1.0, compare=False)
     is_plain: bool = field(init=False, repr=False, compare=False)  # whether all its arguments are constants
 
     def __post_init__(self) -> None:
@@ -70,6 +71,13 @@ def at_time(seen: Seen, t: float | None) -> Seen:
     if isinstance(seen, Observation):
         return replace(seen, t=t)
     return Uncertain(tuple((replace(option, t=t), likelihood) for option, likelihood in seen.options))
+
+
+def certainty_of(seen: Seen) -> float:
+    """How probable it is that what was seen was what it is most likely to have been."""
+    if isinstance(seen, Uncertain):
+        return max((likelihood for _, likelihood in seen.options), default=0.0)
+    return seen.certainty
 
 
 def options_of(seen: Seen) -> tuple[tuple[Observation, float], ...]:

@@ -10,3 +10,4 @@ cannot be worked on is a row with its mistake.
 from casper.batch.many import explain_many as explain_many
 from casper.batch.many import verify_many as verify_many
 from casper.batch.many import watch_many as watch_many
+from casper.batch.trials import run_trials as run_trials

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from hashlib import sha256
+from operator import itemgetter
 from pathlib import Path
 from typing import IO, Any
 
@@ -35,13 +36,27 @@ def about(job: Job, rows: Sequence[Row], domain: str) -> dict[str, Any]:
 class Journal:
     """Results on file: `done` has those that are there, `add` appends some."""
 
-    def __init__(self, file: Path, header: Mapping[str, Any]) -> None:
+    def __init__(
+        self,
+        file: Path,
+        header: Mapping[str, Any],
+        key: Callable[[Result], Any] = itemgetter("row"),
+        differs: str = "other rows, options or domain",
+        advice: str = "delete it, or write to another file",
+    ) -> None:
         """Open a journal, or begin one.
+
+        Args:
+            file: where.
+            header: what the run is about.
+            key: by which results are kept in `done`; by default their row's number.
+            differs, advice: what may be another run's, and what to do then, for the sentence that refuses it.
 
         Raises:
             CasperError: it belongs to another run, or the file cannot be read or written.
         """
-        self.file, self.done = file, dict[int, Result]()
+        self.file, self.done = file, dict[Any, Result]()
+        self._key, self._refusal = key, f"is the journal of another run ({differs}); {advice}"
         try:
             whole = self._read(header) if file.exists() else 0
             self._out: IO[bytes] = file.open("r+b" if file.exists() else "w+b")
@@ -57,10 +72,9 @@ class Journal:
         whole = 0
         for line, value in _whole_lines(self.file):
             if not whole and value != header:
-                sentence = f"{self.file} is the journal of another run (other rows, options or domain)"
-                raise CasperError(f"{sentence}; delete it, or write to another file")
+                raise CasperError(f"{self.file} {self._refusal}")
             if whole:
-                self.done[value["row"]] = value
+                self.done[self._key(value)] = value
             whole += len(line)
         return whole
 
@@ -75,7 +89,7 @@ class Journal:
         except OSError as mistake:
             why = mistake.strerror or mistake
             raise CasperError(f"cannot write {self.file} ({why}); the next run goes on from there") from None
-        self.done.update((result["row"], result) for result in results)
+        self.done.update((self._key(result), result) for result in results)
 
     def _write(self, values: Sequence[Mapping[str, Any]]) -> None:
         text = "".join(json.dumps(value, ensure_ascii=False) + "\n" for value in values)

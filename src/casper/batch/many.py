@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, nullcontext
+from collections.abc import Mapping
+from contextlib import nullcontext
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from casper.batch.backends import check_jobs, results
 from casper.batch.journal import Journal, about
+from casper.batch.progress import bar, quiet
 from casper.batch.rows import Rows
 from casper.batch.tables import check_table, rows_of, write_table
 from casper.batch.tasks import TASKS, Result
@@ -110,8 +111,8 @@ def run(
     left = [row for row in todo if row.number not in done]
     finished = False
     try:
-        chunks = chunks_of(left, CLUSTER_WORKERS if cluster else jobs)
-        with _bar(len(todo), len(done)) if progress else nullcontext(_quiet) as step:
+        chunks = chunks_of(left, CLUSTER_WORKERS if cluster else jobs, TASKS[name].together)
+        with bar(len(todo), len(done)) if progress else nullcontext(quiet) as step:
             for some in results(partial(work_on, job), chunks, jobs, cluster):
                 if journal is None:
                     done.update((result["row"], result) for result in some)
@@ -142,24 +143,9 @@ TRIED: dict[str, Callable[[Domain, Mapping[str, Any]], None]] = {
     "explain": _try_reading,  # a mistake in the options is told once, not for every row
     "verify": lambda domain, options: None,
     "watch": _try_mind,
+    "trial": lambda domain, options: None,
 }
 
 
 def _journal_of(file: Path) -> Path:
     return file.with_name(f"{file.name}.journal")
-
-
-def _quiet(number: int) -> None:
-    pass
-
-
-@contextmanager
-def _bar(whole: int, done: int) -> Iterator[Callable[[int], None]]:
-    """A bar with the time left, on standard error; the function moves it on."""
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
-
-    shown = Progress(BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), console=Console(stderr=True))
-    with shown:
-        bar = shown.add_task("rows", total=whole, completed=done)
-        yield lambda number: shown.advance(bar, number)

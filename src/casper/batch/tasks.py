@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from casper.batch.rows import Row, others, text_of, texts_of, wanted
+from casper.batch.simulated import GIVES, simulated
 from casper.engine.domain.domain import Domain
 from casper.engine.live import Partners
 from casper.kb.errors import CasperError
@@ -25,12 +26,16 @@ Result: TypeAlias = dict[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """What is done: ``key`` is the column that is worked on, ``gives`` are the columns of the result."""
+    """What is done: ``key`` is the column that is worked on, ``gives`` are the columns of the result.
+
+    ``together`` is how many rows are worked on at most before their results are handed over.
+    """
 
     name: str
     key: str
     gives: tuple[str, ...]
     work: Callable[[Domain, Any, Mapping[str, Any]], Result]
+    together: int = 500
 
 
 def worked(task: Task, domain: Domain, row: Row, options: Mapping[str, Any]) -> Result:
@@ -102,4 +107,5 @@ WATCH = Task(
     ("recording", "predicted", "prediction_time", "observed", "missed", "waiting", "planned", "robot", "left_out"),
     _watch,
 )
-TASKS = {task.name: task for task in (EXPLAIN, VERIFY, WATCH)}
+TRIAL = Task("trial", "trial", GIVES, simulated, together=1)
+TASKS = {task.name: task for task in (EXPLAIN, VERIFY, WATCH, TRIAL)}

@@ -14,7 +14,6 @@ from casper.batch.tasks import TASKS, Result, worked
 from casper.engine.domain.domain import Domain
 
 _CHUNKS = 20  # of each worker: enough to keep all busy to the end
-_LARGEST = 500
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +48,7 @@ def _arrived(domain: bytes) -> Domain:
     return arrived
 
 
-def chunks_of(rows: Sequence[Row], workers: int) -> Iterator[Sequence[Row]]:
-    """The rows in chunks, so many for each worker."""
-    size = min(_LARGEST, max(1, -(-len(rows) // (workers * _CHUNKS))))
+def chunks_of(rows: Sequence[Row], workers: int, largest: int) -> Iterator[Sequence[Row]]:
+    """The rows in chunks, so many for each worker, of so many rows at most."""
+    size = min(largest, max(1, -(-len(rows) // (workers * _CHUNKS))))
     return (rows[at : at + size] for at in range(0, len(rows), size))

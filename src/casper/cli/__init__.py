@@ -28,6 +28,7 @@ from casper.cli.terminal.codes import epilog
 from casper.cli.terminal.plain import settle_streams
 from casper.cli.terminal.showing import complain
 from casper.cli.watching.batch import batch
+from casper.cli.watching.experiment import experiment
 from casper.cli.watching.record import record
 from casper.cli.watching.replay import replay
 from casper.cli.watching.run import run
@@ -43,7 +44,7 @@ app = typer.Typer(
     epilog=epilog(),
     rich_markup_mode=None,  # plain help: nothing is cut off in a narrow terminal, and no text is taken for markup
 )
-asked, watching = (explain, verify, query, repl, serve, batch), (watch, record, replay)
+asked, watching = (explain, verify, query, repl, serve, batch), (watch, record, replay, experiment)
 for command in (run, *asked, *watching, check, new, train, import_, lsp, doctor):
     name = command.__name__.rstrip("_")
     # a sentence in whole, not its beginning

@@ -32,6 +32,10 @@ Noise = Annotated[
     float | None,
     typer.Option("--noise", metavar="PRICE", help="Allow needless actions: the factor each one multiplies a score by."),
 ]
+Certainty = Annotated[
+    float | None,
+    typer.Option("--certainty", metavar="P", help="Act on a goal only if it is so sure, from 0 (at once) to 1."),
+]
 Goals = Annotated[int, typer.Option("--goals", metavar="N", help="How many goals may be pursued at once.")]
 Stops = Annotated[bool, typer.Option("--stop", help="Stop at an action that fits no plan, instead of leaving it out.")]
 Language = Annotated[

@@ -12,6 +12,7 @@ import typer
 
 from casper.cli.terminal.options import (
     AsJson,
+    Certainty,
     DomainName,
     Goals,
     Language,
@@ -58,6 +59,7 @@ def run(
     changes_mind: Annotated[
         bool, typer.Option("--changes-mind", help="The first goal is given up for the next after its first action.")
     ] = False,
+    certainty: Certainty = None,
     speed: Speed = 0.0,
     language: Language = None,
     report: Report = None,
@@ -96,7 +98,7 @@ def run(
         check_page(report)
     if record is not None:
         check_recording(record)
-    trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind))
+    trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind, certainty))
     out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
     header = header_of(loaded, language, trial.minds.choices, seed)
     keep_loaded()

@@ -12,6 +12,7 @@ import typer
 
 from casper.cli.terminal.options import (
     AsJson,
+    Certainty,
     DomainName,
     Goals,
     Language,
@@ -35,6 +36,7 @@ def watch(
     policy: PolicyName = "strict",
     noise: Noise = None,
     goals: Goals = 1,
+    certainty: Certainty = None,
     stop: Stops = False,
     window: Window = None,
     listen: Listens = False,
@@ -67,6 +69,7 @@ def watch(
         check_recording(record)
     loaded = Domain.load(domain, language)
     chosen = {"verification": not no_verification, "policy": policy, "noise": noise, "goals": goals, "stops": stop}
+    chosen["certainty"] = certainty
     live = Live(Partners(loaded, **chosen))
     if window is not None:
         check_window(window)

@@ -20,6 +20,7 @@ SETTINGS: Mapping[str, type | tuple[type, ...]] = {
     "noise": (float, int, type(None)),
     "goals": int,
     "stops": bool,
+    "certainty": (float, int, type(None)),
 }
 """Choices of minds (`engine.mind.Mind`) and what each may be."""
 

@@ -1,0 +1,115 @@
+"""What became of a trial: one row of figures, for tables of many (paper section V-E, and what people care about)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import fields
+from typing import TYPE_CHECKING, Any
+
+from casper.engine.domain.domain import Domain
+from casper.engine.events import Event
+from casper.kb.errors import CasperError, DomainError
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, as_term
+
+if TYPE_CHECKING:
+    from casper.sim_adapter.trial import Trial, TrialSettings
+
+FIGURES = (
+    "right",
+    "predicted",
+    "prediction_time",
+    "observed",
+    "missed",
+    "waiting",
+    "planned",
+    "helped",
+    "gave_up",
+    "help_ended",
+    "wrong_announcements",
+    "wrong_interventions",
+    "withdrawn",
+    "partner_finished",
+    "seconds",
+    "least_distance",
+    "speed_there",
+)
+"""The columns of `judged`; units are seconds, metres and metres a second.
+
+right: the goal, or every goal, was read; predicted, prediction_time, observed, missed, waiting, planned: the paper's,
+of the goal committed to last. helped: the robot's part is physically finished; gave_up: why it ended without that, if
+the robot said so; help_ended: whether everything that was announced was done, or given up for a reason that was told.
+wrong_announcements: how often a goal was announced that the partner never had;
+wrong_interventions: what the robot did, or began, that is no step of theirs. partner_finished: when the last action of
+their own was over; seconds: when the trial was. least_distance and speed_there: how near the robot came to a person
+while it moved, and how fast it was there; None where nobody measured it.
+"""
+_BEGUN = ("done", "failed", "stopped")
+
+
+def trial_settings(given: Mapping[str, Any]) -> TrialSettings:
+    """The settings of a trial, from a row.
+
+    Raises:
+        DomainError: there is no such setting.
+    """
+    from casper.sim_adapter.trial import TrialSettings
+
+    known = {field.name for field in fields(TrialSettings)}
+    unknown = [name for name in given if name not in known]
+    if unknown:
+        raise DomainError(f"a trial has no {unknown[0]}; it has {', '.join(sorted(known))}")
+    return TrialSettings(**given)
+
+
+def judged(domain: Domain, settings: TrialSettings) -> dict[str, Any]:
+    """Run a trial; what became of it (`FIGURES`).
+
+    Raises:
+        CasperError: the trial cannot be run, or something in it went wrong: the sentence says what.
+    """
+    from casper.sim_adapter.trial import Trial
+
+    try:
+        trial = Trial(domain, settings)
+        return _judged(trial, list(trial.events()))
+    except (CasperError, MemoryError):
+        raise
+    except Exception as mistake:  # a trial that breaks must not end the thousand others
+        first = (str(mistake).strip() or "no reason given").splitlines()[0]
+        raise CasperError(f"the trial broke off: {type(mistake).__name__}: {first}") from mistake
+
+
+def _judged(trial: Trial, events: list[Event]) -> dict[str, Any]:
+    told = events[-1].data
+    steps, goals = _theirs(trial)
+    announced = [event.data["goal"] for event in events if event.type == "prediction"]
+    robot = [event.data for event in events if event.type == "robot"]
+    begun = {data["action"] for data in robot if data["status"] in _BEGUN}
+    reasons = [data.get("reason", "") for data in robot if data["status"] == "failed"]
+    helped, truth = bool(told["robot"]["done"]), told.get("truth") or {}
+    withdrawn = sum(event.type == "withdrawn" for event in events)
+    return {
+        "right": bool(truth.get("right", told["correct"])),
+        **{name: told[name] for name in FIGURES[1:7]},
+        "helped": helped,
+        "gave_up": None if helped or not reasons else "; ".join(dict.fromkeys(reasons)),
+        "help_ended": bool(truth.get("help_ended", helped or bool(reasons) or withdrawn)),
+        "wrong_announcements": sum(not goals.issuperset(goal.split(" + ")) for goal in announced),
+        "wrong_interventions": truth.get("wrong_interventions", sorted(begun - steps)),
+        "withdrawn": withdrawn,
+        "partner_finished": told["partner_finished"],
+        "seconds": events[-1].t,
+        "least_distance": told["robot"].get("least_distance"),
+        "speed_there": told["robot"].get("speed_at_least_distance"),
+    }
+
+
+def _theirs(trial: Trial) -> tuple[set[str], set[str]]:
+    """The steps of all partners, as texts, and their goals."""
+    pursuits = [pursuit for partner in trial.partners.values() for pursuit in partner.pursuits]
+    return _texts(s.action for pursuit in pursuits for s in pursuit.script), {pursuit.goal for pursuit in pursuits}
+
+
+def _texts(actions: Iterable[Compound]) -> set[str]:
+    return {term_text(as_term(action)) for action in actions}
