@@ -94,7 +94,7 @@ def _cannot_be_acted_out(domain: Domain, scene: Scene, plan: Plan, used: dict[st
         yield warning(mistake.place or plan.place, f"{plan.label} cannot be acted out: {mistake.sentence}")
         return
     for scripted, node in zip(script, plan.actions):
-        shown, step = term_text(as_term(scripted.action)), scripted.step
+        shown, step = term_text(as_term(scripted.action or node.term)), scripted.step
         if step.skill not in HANDLING:
             advice = f"state context(use, {step.destination}, {step.skill}) in actions.pl if it is a use there"
             yield warning(node.place, f"nobody has a skill for {shown}; {advice}")

@@ -27,11 +27,15 @@ MOST_TRIED = 2000  # actions that are tried for a goal whose plans are not liste
 
 @dataclass(frozen=True, slots=True)
 class ScriptedAction:
-    """An action of a plan, the skill that carries it out, and who does it (None: whoever pursues the goal)."""
+    """An action of a plan, the skill that carries it out, who does it (None: who pursues the goal), and for what goal.
 
-    action: Compound
+    ``action`` and ``goal`` are None where the step serves no goal.
+    """
+
+    action: Compound | None
     step: Step
     by: str | None = None
+    goal: str | None = None
 
 
 def script_for(domain: Domain, goal: str, seed: int = 0) -> list[ScriptedAction]:
@@ -50,7 +54,7 @@ def script_for(domain: Domain, goal: str, seed: int = 0) -> list[ScriptedAction]
     if goal not in domain.library.goals:
         raise DomainError(f"there is no goal {goal!r}: choose {', '.join(domain.library.goals)}")
     if not domain.library.is_listed:
-        return [ScriptedAction(action, step_for(domain, action), by) for action, by in _grown(domain, goal)]
+        return [ScriptedAction(action, step_for(domain, action), by, goal) for action, by in _grown(domain, goal)]
     ways = (spelled for way in domain.library.ways if way.label == goal for spelled in spelled_out(way))
     plans = list(islice(ways, MOST_WAYS))
     return acted_out(domain, random.Random(seed).choice(plans))
@@ -63,7 +67,7 @@ def acted_out(domain: Domain, plan: Plan) -> list[ScriptedAction]:
         PlanError: an action has unknown parts that the rules do not settle.
     """
     doers = [_doer(domain, action.by) for action in plan.actions]
-    return [ScriptedAction(a, step_for(domain, a), by) for a, by in zip(_grounded(domain, plan), doers)]
+    return [ScriptedAction(a, step_for(domain, a), by, plan.label) for a, by in zip(_grounded(domain, plan), doers)]
 
 
 def _doer(domain: Domain, by: Term | None) -> str | None:

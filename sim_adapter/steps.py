@@ -10,7 +10,8 @@ from casper.kb.errors import DomainError
 from casper.sim_adapter.room.scene import Scene
 
 HANDLING = ("pick_and_place", "use")  # what a plan's step may be
-SKILLS = (*HANDLING, "walk_to", "still", "stand_aside", "step_back")
+ASIDE = ("set_down", "handle")  # besides plans: put at a spot that no plan knows, take up and put back
+SKILLS = (*HANDLING, *ASIDE, "walk_to", "still", "stand_aside", "step_back")
 
 Ticks = Generator[None, None, None]
 """A skill under way: each ``yield`` hands the clock back until the next control step."""
@@ -18,12 +19,13 @@ Ticks = Generator[None, None, None]
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One skill with the object it is for, the object it ends at, and (for ``still``) how long, in seconds."""
+    """One skill: the object it is for, the one it ends at, how long (``still``, seconds), where (``set_down``)."""
 
     skill: str
     target: str | None = None
     destination: str | None = None
     seconds: float = 0.0
+    spot: tuple[float, float, float] | None = None
 
     def __str__(self) -> str:
         names = [name for name in (self.target, self.destination) if name is not None]
@@ -34,14 +36,17 @@ def check_objects(scene: Scene, step: Step) -> None:
     """See that the objects of a step exist and can be used so.
 
     Raises:
-        DomainError: an object is unknown, the target is fixed, or nothing can be put at the destination.
+        DomainError: an object is unknown, the target is fixed, nothing can be put at the destination, or it is not
+            said where.
     """
-    if step.skill in ("pick_and_place", "use", "walk_to"):
+    if step.skill in (*HANDLING, *ASIDE, "walk_to"):
         scene.thing(step.target)
-    if step.skill in ("pick_and_place", "use"):
+    if step.skill in (*HANDLING, *ASIDE) and not scene.thing(step.target).movable:
+        raise DomainError(f"{step} cannot be done: {step.target} is fixed")
+    if step.skill == "set_down" and step.spot is None:
+        raise DomainError(f"{step} cannot be done: it is not said where")
+    if step.skill in HANDLING:
         place = scene.thing(step.destination)
-        if not scene.thing(step.target).movable:
-            raise DomainError(f"{step} cannot be done: {step.target} is fixed")
         if place.placing is None:
             raise DomainError(f"{step} cannot be done: the scene has no placing({place.name}, How)")
 

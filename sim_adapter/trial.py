@@ -5,8 +5,8 @@ partner (script) -> physics -> sensor -> world state -> mind -> events -> robot 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from casper.engine.domain.domain import Domain
@@ -17,15 +17,20 @@ from casper.engine.perception.world import WorldState
 from casper.engine.settings import check_seed
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
-from casper.sim_adapter.goals import goals_of_partners
 from casper.sim_adapter.helping import Helper
-from casper.sim_adapter.partner import Partner, check_bodies
+from casper.sim_adapter.partners.behaviours.table import PLAIN, behaving, check_behaviours
+from casper.sim_adapter.partners.conduct import Conduct, Surroundings, plain
+from casper.sim_adapter.partners.goals import goals_of_partners
+from casper.sim_adapter.partners.partner import Partner, check_bodies
 from casper.sim_adapter.room.facts import scene_of
+from casper.sim_adapter.room.scene import Scene
 from casper.sim_adapter.script import ScriptedAction
 from casper.sim_adapter.simulation import Simulation
+from casper.sim_adapter.truth import Truth
 
 LONGEST = 600.0  # simulated seconds a goal after which a trial is given up
 FIGURES = ("goal", "correct", "predicted", "prediction_time", "observed", "missed", "waiting", "planned")
+VISITOR = "visitor"  # a third person, whose goals nobody reads
 AFTERWARDS = 6.0  # simulated seconds watched after the partner is done, so that the last action can be recognised
 
 
@@ -38,6 +43,8 @@ class TrialSettings:
     each partner (None: as many as are named, at least one), ``goals`` how many the mind takes to be pursued at once.
     Who ``changes_mind`` gives the first up for the second after one action. ``certainty`` is how sure a goal must be
     before the robot acts on it (None: as the domain says).
+    ``partner`` is how they behave besides
+    (`casper.sim_adapter.partners.behaviours.table`): plain, one of the behaviours or several with commas, or mixed.
     """
 
     goal: str | None = None
@@ -50,6 +57,7 @@ class TrialSettings:
     goals_in_a_row: int | None = None
     changes_mind: bool = False
     certainty: float | None = None
+    partner: str = PLAIN
 
     @property
     def wanted(self) -> list[str]:
@@ -63,7 +71,7 @@ class Trial:
 
     Raises:
         DomainError, PlanError: the domain lacks a scene or goals, a goal is unknown or cannot be acted out, or the
-            seed or the number of goals is none.
+            seed or the number of goals is none, there is no such behaviour, or nobody can behave so there.
     """
 
     domain: Domain
@@ -72,6 +80,8 @@ class Trial:
     minds: Partners = field(init=False)
     partners: dict[str, Partner] = field(init=False)
     helper: Helper = field(init=False)
+    truth: Truth = field(init=False)
+    behaviours: tuple[str, ...] = field(init=False)  # of the partners; none of plain ones
     each_step: Callable[[], object] = field(default=bool, init=False)  # called at the start and after every period
     sensed: Callable[[WorldState], object] = field(default=bool, init=False)  # handed what the minds are about to see
 
@@ -82,13 +92,18 @@ class Trial:
         check_bodies(self.domain, scene)
         day = (chosen.wanted, chosen.goals_in_a_row, chosen.changes_mind, chosen.seed)
         goals = goals_of_partners(self.domain, scene, *day)
-        self.simulation = Simulation(scene, seed=chosen.seed)
+        conducts = self._conducts(scene, goals)
+        visit = [step for conduct in conducts.values() for step in conduct.visit]
+        self.simulation = Simulation(_with_visitor(scene) if visit else scene, seed=chosen.seed)
         how: dict[str, Any] = {"seed": chosen.seed, "helped": chosen.robot}
         self.partners = {
-            name: Partner(self.domain, self.simulation, theirs, chosen.changes_mind, name=name, **how)
-            for name, theirs in goals.items()
+            name: Partner(self.domain, self.simulation, goals[name], conduct=conduct, name=name, **how)
+            for name, conduct in conducts.items()
         }
+        for step in visit:
+            self.simulation.people[VISITOR].do([step])
         self.helper = Helper(self.domain, self.simulation)
+        self.truth = Truth(self.simulation, self.partners, self.helper)
         self.minds = Partners(
             self.domain,
             verification=chosen.verification,
@@ -98,6 +113,16 @@ class Trial:
             goals=chosen.goals,
             certainty=chosen.certainty,
         )
+
+    def _conducts(self, scene: Scene, goals: Mapping[str, Sequence[str]]) -> dict[str, Conduct]:
+        """What each partner sets out to do, in the way that is asked for."""
+        chosen, found = self.settings, {}
+        surroundings = Surroundings(self.domain, scene, chosen.seed)
+        self.behaviours = check_behaviours(chosen.partner)
+        for name, theirs in goals.items():
+            conduct = plain(surroundings, theirs, chosen.changes_mind)
+            found[name], self.behaviours = behaving(conduct, chosen.partner, surroundings)
+        return found
 
     @property
     def mind(self) -> Mind:
@@ -117,7 +142,7 @@ class Trial:
     @property
     def script(self) -> list[ScriptedAction]:
         """What they would do for it on their own."""
-        return self.partner.pursuits[0].script
+        return list(self.partner.pursuits[0].script)
 
     def events(self) -> Iterator[Event]:
         """Everything that happens, as it happens; the last event is the ``summary``."""
@@ -141,13 +166,16 @@ class Trial:
             for partner in self.partners.values():
                 partner.notice(now, self.helper.finished)
                 self._go_on(partner)
+            self.truth.see((*told, *did))
             if not self._is_over():
                 idle_since = None
             elif idle_since is None:
                 idle_since = now
             elif now - idle_since >= AFTERWARDS:
                 break
-        yield from self.minds.end(self.simulation.time)
+        ended = list(self.minds.end(self.simulation.time))
+        self.truth.see(ended)
+        yield from ended
         yield self._summary()
 
     def _heard(self, told: Sequence[Event]) -> None:
@@ -157,7 +185,7 @@ class Trial:
             mind = self.minds.minds.get(name)
             if mind is None:  # not in view yet
                 continue
-            announced = set(mind.supervisor.actions)
+            announced = {action for supervisor in mind.course.supervisors for action in supervisor.actions}
             if "plan" in types:
                 partner.heed(announced)
             if "withdrawn" in types:
@@ -181,6 +209,8 @@ class Trial:
         rows = [self._row(name) for name in self.partners]
         data = {**self.minds.summary(seed=self.settings.seed), **rows[0]}
         asked = [term_text(as_term(action)) for action in self.helper.asked]
+        data["behaviour"] = {"names": list(self.behaviours), "told": list(self.partner.conduct.told)}
+        data["truth"] = self.truth.summary(self.mind.partner)
         data["robot"] = {"actions": asked, "done": self.helper.robot_done}
         if len(rows) > 1:
             parts = [self.helper.part_of(name) for name in self.partners]
@@ -198,9 +228,17 @@ class Trial:
         figures = {key: told[key] for key in FIGURES} | {"partner_finished": partner.last_action_done}
         if mind is None:
             figures |= {"predicted": None, "correct": False, "prediction_time": None}
+        if self.behaviours:
+            truth = self.truth.records[name]
+            return {**figures, "goals": truth.goals, "correct": truth.is_right}
         if len(partner.pursuits) == 1 or mind is None:
             return figures
         wanted = [pursuit.goal for pursuit in partner.pursuits if not pursuit.given_up]
         read = [row["goal"] for row in told["episodes"] if row["outcome"] == "finished"]
         goals = [pursuit.goal for pursuit in partner.pursuits]
         return {**figures, "goals": goals, "correct": sorted(read) == sorted(wanted)}
+
+
+def _with_visitor(scene: Scene) -> Scene:
+    """The scene with one more person in it."""
+    return replace(scene, people=(*scene.people, VISITOR))

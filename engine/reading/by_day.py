@@ -74,6 +74,7 @@ class ByDay:
         helped: Sequence[Underway],
         others: Sequence[Underway] = (),
         t: float | None = None,
+        aside: Sequence[Underway] = (),
     ) -> Placed:
         """See `Segments`."""
         self._day.observe(seen, t, self._agent)

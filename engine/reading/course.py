@@ -7,6 +7,9 @@ Whatever is seen belongs to an episode or is left out (`segments`). An episode c
   only the robot's part was left, the episode stays open beside the new one until the robot has done it;
 * the robot failed in its part, or nobody watches any more: ``unclear``.
 
+Who comes back to a goal that was taken to be given up never gave it up: its episode is taken up again with all that was
+seen of it, its row is struck, and what was announced for it is announced anew. From then on both are open.
+
 What had been announced for a goal that is given up is withdrawn before anything else is told.
 """
 
@@ -27,7 +30,8 @@ from casper.kb.errors import CasperError
 from casper.kb.terms.terms import Compound
 
 MOST_ROWS = 10_000  # closed episodes whose row is kept for the summary
-MOST_HELPED = 8  # episodes of which only the robot's part is left; then the oldest is unclear
+MOST_HELPED = 8  # episodes open beside the one under way; then the oldest is unclear
+MOST_ASIDE = 8  # episodes taken to be given up that a partner may come back to
 
 
 class Course:
@@ -58,7 +62,8 @@ class Course:
         self._fresh = fresh
         self.segments: Segments = BySight(fresh) if segments is None else segments(partner, fresh)
         self.current = self._opened()
-        self.helped: list[Underway] = []
+        self.helped: list[Underway] = []  # open beside: only the robot's part is left, or the partner came back to it
+        self.aside: deque[tuple[Underway, dict[str, Any]]] = deque(maxlen=MOST_ASIDE)  # given up, it seems; their rows
         self.rows: deque[dict[str, Any]] = deque(maxlen=MOST_ROWS)
         self.predicted: Supervisor | None = None  # of the last closed episode that committed to a goal
 
@@ -101,7 +106,8 @@ class Course:
             self.current = self._opened()  # what was done since the last one closed is known to it
         theirs = {id(e): course for course in self.others() for e in course.open_episodes}
         elsewhere = [e for course in self.others() for e in course.open_episodes]
-        placed = self.segments.place(observation, self.current, self.helped, elsewhere, t)
+        aside = [episode for episode, _ in reversed(self.aside)]
+        placed = self.segments.place(observation, self.current, self.helped, elsewhere, t, aside)
         if isinstance(placed, LeftOut):
             if self.stops:
                 raise CasperError(f"{observation} {placed.because}".replace(" and is left out", ""))
@@ -115,6 +121,7 @@ class Course:
                 self.current.read_anew(placed.reading, set(placed.numbers))
         episode = self.current if isinstance(placed, Begins) else placed.episode
         owner = theirs.get(id(episode))
+        yield from self._taken_up(episode, t)
         yield from self._taken(episode, t) if owner is None else owner.helped_by(self.partner, episode, t)
 
     def helped_by(self, other: str, episode: Underway, t: float) -> Iterator[Event]:
@@ -154,6 +161,21 @@ class Course:
         if episode.is_over:
             yield from self._close(episode, FINISHED, t)
 
+    def _taken_up(self, episode: Underway, t: float) -> Iterator[Event]:
+        """The partner comes back to an episode that was taken to be given up."""
+        row = next((row for other, row in self.aside if other is episode), None)
+        if row is None:
+            return
+        self.aside = deque(((e, r) for e, r in self.aside if e is not episode), MOST_ASIDE)
+        if row in self.rows:
+            self.rows.remove(row)
+        self.helped.append(episode)
+        yield from self._crowded(t)
+
+    def _crowded(self, t: float) -> Iterator[Event]:
+        for oldest in self.helped[:-MOST_HELPED]:
+            yield from self._close(oldest, UNCLEAR, t)
+
     def _turn(self, observation: Observation, because: str, t: float) -> Iterator[Event]:
         """The partner goes over to something new; what was under way is over, or left to the robot."""
         before = self.current
@@ -162,13 +184,15 @@ class Course:
         if before.supervisor.ready and before.supervisor.left:
             self.helped.append(before)
             self.current = self._opened()
-            for oldest in self.helped[:-MOST_HELPED]:
-                yield from self._close(oldest, UNCLEAR, t)
+            yield from self._crowded(t)
             return
         tell = before.reading.tell
         told = tell.phrase("went over", tell.name(self.partner), tell.step(str(observation)), because)
         yield from before.supervisor.withdraw(t, told)
-        yield from self._close(before, before.outcome, t, before.last)
+        outcome = before.outcome
+        yield from self._close(before, outcome, t, before.last)
+        if outcome != FINISHED:
+            self.aside.append((before, self.rows[-1]))
 
     def _close(self, episode: Underway, outcome: str, t: float, to: float | None = None) -> Iterator[Event]:
         row = episode.row(self.partner, outcome, t if to is None else to)

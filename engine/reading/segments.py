@@ -5,6 +5,7 @@
 * what fits the episode under way goes on with it; what is a step that the partner had left to the robot, with that one;
 * what fits neither, and is the first step of a goal, begins a new episode;
 * what fits only what another partner is doing is a step of that;
+* what comes next of a goal that was taken to be given up, and fits nothing else, is a step of that: it was not;
 * what repeats a step of the episode that has just closed, and begins nothing, is left out, as is what fits nothing.
 """
 
@@ -64,6 +65,7 @@ class Segments(Protocol):
         helped: Sequence[Underway],
         others: Sequence[Underway] = (),
         t: float | None = None,
+        aside: Sequence[Underway] = (),
     ) -> Placed:
         """Where the partner's next action belongs.
 
@@ -73,6 +75,7 @@ class Segments(Protocol):
             helped: those of which only the robot's part is left, oldest first.
             others: the open episodes of other partners.
             t: when, in seconds.
+            aside: episodes that were taken to be given up, the last first.
         """
 
     def closed(self, episode: Underway) -> None:
@@ -107,6 +110,7 @@ class BySight:
         helped: Sequence[Underway],
         others: Sequence[Underway] = (),
         t: float | None = None,
+        aside: Sequence[Underway] = (),
     ) -> Placed:
         """See `Segments`."""
         is_open = bool(current.reading.observations)
@@ -118,6 +122,10 @@ class BySight:
             refusals.append(refusal)
         if is_beginning(self._fresh(), seen):
             return Begins(because_of(refusals[0], current) if is_open else "")
+        is_over = not is_open and self._last is not None and self._last.contains(seen)
+        for episode in aside if not is_over else ():
+            if comes_back(seen, episode):
+                return GoesOn(episode)
         for episode in others:
             if refusal_of(seen, episode) is None:
                 return GoesOn(episode)
@@ -155,6 +163,22 @@ def refusal_of(seen: Seen, episode: Underway) -> Refusal | None:
     refusal = dict(reading.rejected)
     reading.undo()
     return refusal
+
+
+def comes_back(seen: Seen, episode: Underway) -> bool:
+    """Whether the action goes on with an episode where it was left, nothing missed; then it has taken it in."""
+    missed = _missed(episode)
+    if refusal_of(seen, episode) is not None:
+        return False
+    if _missed(episode) > missed:
+        episode.reading.undo()
+        return False
+    return True
+
+
+def _missed(episode: Underway) -> int:
+    first = episode.reading.first
+    return 0 if first is None else first.missed
 
 
 def because_of(refusal: Refusal, episode: Underway) -> str:

@@ -45,6 +45,12 @@ class HumanHand:
         spot = place_spot(self.scene, self.physics.positions(), target, destination, self.body.place)
         yield from self._lower(target, spot, seconds)
 
+    def lay(self, target: str, spot: Spot, seconds: float) -> Ticks:
+        """As `put`, at a spot: where the middle of what is held is to be."""
+        if math.dist(self.body.place, spot[:2]) > max(ARM, REACHABLE):
+            raise StepFailed(f"the place where {target} was to be set down is out of reach")
+        yield from self._lower(target, spot, seconds)
+
     def handle(self, target: str, seconds: float) -> Ticks:
         """The second half of a use: towards the body, back to where it was, let go."""
         x, y, z = spot = self.physics.position(target)

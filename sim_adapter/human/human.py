@@ -14,6 +14,7 @@ from casper.sim_adapter.human.walk import REACHABLE, HumanWalk
 from casper.sim_adapter.physics.physics import Physics
 from casper.sim_adapter.room.geometry import Disc
 from casper.sim_adapter.room.navigation import Navigator
+from casper.sim_adapter.room.placement import Spot
 from casper.sim_adapter.room.scene import Point
 from casper.sim_adapter.steps import SKILLS, Step, StepFailed, StepQueue, Ticks, Worker, check_objects
 
@@ -152,6 +153,8 @@ class Human(Worker):
         skills: dict[str, Callable[[], Ticks]] = {
             "pick_and_place": lambda: self._pick_and_place(target, destination),
             "use": lambda: self._use(target, destination),
+            "set_down": lambda: self._set_down(target, step.spot or (0.0, 0.0, 0.0)),
+            "handle": lambda: self._handle(target),
             "walk_to": lambda: self.walk.go_to(target),
             "still": lambda: self._wait(step.seconds),
             "step_back": self.walk.step_back,
@@ -162,13 +165,33 @@ class Human(Worker):
     def _pick_and_place(self, target: str, destination: str) -> Ticks:
         yield from self._until_free(target)
         yield from self._until_vacant(target, destination)
+        yield from self._take(target)
+        yield from self.walk.go_to(destination)
+        yield from self.hand.put(target, destination, self.settings.place_time)
+
+    def _set_down(self, target: str, spot: Spot) -> Ticks:
+        """Take something to a spot that is no object's place."""
+        yield from self._take(target)
+        yield from self.walk.go_near(spot[:2])
+        yield from self.hand.lay(target, spot, self.settings.place_time)
+
+    def _handle(self, target: str) -> Ticks:
+        """Take something up, and put it back where it was."""
+        yield from self._until_free(target)
+        yield from self.walk.go_to(target)
+        yield from self._pause()
+        yield from self._until_free(target)
+        yield from self.hand.pick(target, self.settings.use_half)
+        yield from self.hand.handle(target, self.settings.use_half)
+
+    def _take(self, target: str) -> Ticks:
+        """Go to something, take it and lift it."""
+        yield from self._until_free(target)
         yield from self.walk.go_to(target)
         yield from self._pause()
         yield from self._until_free(target)
         yield from self.hand.pick(target, self.settings.pick_time)
         yield from self.hand.lift()
-        yield from self.walk.go_to(destination)
-        yield from self.hand.put(target, destination, self.settings.place_time)
 
     def _use(self, target: str, destination: str) -> Ticks:
         """Pairs of a pick and a place on the spot, at the destination (or where the target is, if elsewhere)."""

@@ -31,12 +31,19 @@ class HumanWalk:
 
     def go_to(self, name: str) -> Ticks:
         """Walk to where an object can be reached, unless it is within reach already, and face it."""
+        yield from self._go_near(lambda: self.body.at(name))
+
+    def go_near(self, point: Point) -> Ticks:
+        """As `go_to`, to a point on the furniture."""
+        yield from self._go_near(lambda: point)
+
+    def _go_near(self, at: Callable[[], Point]) -> Ticks:
         body = self.body
         rings = (body.settings.stand_distance, *RINGS)
-        well = is_square(body.physics.scene, body.at(name), body.place)
-        if not well or math.dist(body.place, body.at(name)) > REACHABLE:
-            yield from self._travel(lambda: self._standing(body.at(name), rings))
-        yield from self._face(body.at(name))
+        well = is_square(body.physics.scene, at(), body.place)
+        if not well or math.dist(body.place, at()) > REACHABLE:
+            yield from self._travel(lambda: self._standing(at(), rings))
+        yield from self._face(at())
 
     def _standing(self, at: Point, rings: Sequence[float]) -> list[Point]:
         points = self.navigator.standing_points(at, rings, self.others())

@@ -16,9 +16,9 @@ from simulated_kitchen import SCRIPTS, kitchen_scene, put, run_until_idle, use
 from casper import Domain
 from casper.kb.errors import DomainError
 from casper.kb.terms.terms import Compound
-from casper.sim_adapter.goals import goals_of_a_day
 from casper.sim_adapter.helping import Helper
-from casper.sim_adapter.partner import Partner
+from casper.sim_adapter.partners.goals import goals_of_a_day
+from casper.sim_adapter.partners.partner import Partner
 from casper.sim_adapter.simulation import Simulation
 from casper.sim_adapter.trial import Trial, TrialSettings
 

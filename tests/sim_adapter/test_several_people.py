@@ -9,7 +9,7 @@ pytest.importorskip("mujoco")
 from casper import Domain
 from casper.kb.errors import DomainError
 from casper.kb.terms.syntax import term_text
-from casper.sim_adapter.goals import goals_of_partners
+from casper.sim_adapter.partners.goals import goals_of_partners
 from casper.sim_adapter.room.facts import scene_of
 from casper.sim_adapter.script import script_for
 from casper.sim_adapter.simulation import Simulation

@@ -8,7 +8,7 @@ pytest.importorskip("mujoco")
 
 from casper import Domain
 from casper.engine.domain.domain import SHIPPED
-from casper.sim_adapter.partner import Partner
+from casper.sim_adapter.partners.partner import Partner
 from casper.sim_adapter.room.facts import scene_of
 from casper.sim_adapter.simulation import Simulation
 from casper.sim_adapter.trial import Trial, TrialSettings

@@ -37,3 +37,11 @@ def goals(domain: str, incomplete: str) -> list[str]:
         return [goal for goal in Domain.load(domain).library.goals if goal.startswith(incomplete)]
     except (CasperError, OSError):
         return []
+
+
+def behaviours(incomplete: str) -> list[str]:
+    """How a simulated partner may behave; of several with commas the last is completed."""
+    from casper.sim_adapter.partners.behaviours.table import NAMES
+
+    before, comma, begun = incomplete.rpartition(",")
+    return [f"{before}{comma}{name}" for name in NAMES if name.startswith(begun)]

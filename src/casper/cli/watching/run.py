@@ -38,6 +38,12 @@ def _goals(incomplete: str) -> list[str]:
     return goals(typed_domain("run"), incomplete)
 
 
+def _behaviours(incomplete: str) -> list[str]:
+    from casper.cli.terminal.completing import behaviours
+
+    return behaviours(incomplete)
+
+
 def run(
     domain: DomainName,
     goal: Annotated[
@@ -60,6 +66,19 @@ def run(
         bool, typer.Option("--changes-mind", help="The first goal is given up for the next after its first action.")
     ] = False,
     certainty: Certainty = None,
+    partner: Annotated[
+        str,
+        typer.Option(
+            metavar="HOW",
+            help="How the partner behaves: plain; "
+            "alone (does everything, whatever the robot announces), blocking (stands in the way), "
+            "eager (does some of what the robot announced), fickle (goes over to another goal), "
+            "forgetful (leaves a step out, comes back to it), juggling (two goals at once), "
+            "misplacing (puts a thing elsewhere first), pausing, visited (somebody else moves things), "
+            "wandering (handles what is not needed); several with commas; mixed draws one from the seed.",
+            autocompletion=_behaviours,
+        ),
+    ] = "plain",
     speed: Speed = 0.0,
     language: Language = None,
     report: Report = None,
@@ -98,7 +117,7 @@ def run(
         check_page(report)
     if record is not None:
         check_recording(record)
-    trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind, certainty))
+    trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind, certainty, partner))
     out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
     header = header_of(loaded, language, trial.minds.choices, seed)
     keep_loaded()

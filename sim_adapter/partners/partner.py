@@ -10,25 +10,35 @@ from casper.engine.domain.domain import Domain
 from casper.kb.errors import DomainError
 from casper.kb.terms.terms import Compound
 from casper.sim_adapter.human.human import Human
+from casper.sim_adapter.partners.conduct import Conduct, Stretch, Surroundings, plain
 from casper.sim_adapter.room.scene import Scene
-from casper.sim_adapter.script import ScriptedAction, script_for
+from casper.sim_adapter.script import ScriptedAction
 from casper.sim_adapter.simulation import Simulation
 from casper.sim_adapter.steps import Step
 
 
 @dataclass
 class Pursuit:
-    """A goal that the partner goes after: its steps, how many of them they do, and which are left to the robot."""
+    """A stretch that the partner goes through: which steps of it are left to the robot, and which they insist on."""
 
-    goal: str
-    script: list[ScriptedAction]
-    given_up: bool = False
+    stretch: Stretch
     left: list[ScriptedAction] = field(default_factory=list)
+    kept: list[ScriptedAction] = field(default_factory=list)
 
     @property
-    def things(self) -> set[str]:
-        """The objects it is about."""
-        return {name for s in self.script for name in (s.step.target, s.step.destination) if name is not None}
+    def goal(self) -> str:
+        """What they are after, the first of several at once."""
+        return self.stretch.goals[0]
+
+    @property
+    def given_up(self) -> bool:
+        """Whether they give it up before it is reached."""
+        return self.stretch.stops is not None
+
+    @property
+    def script(self) -> tuple[ScriptedAction, ...]:
+        """The steps that they go through."""
+        return self.stretch.script[: self.stretch.stops]
 
 
 def check_bodies(domain: Domain, scene: Scene) -> None:
@@ -58,8 +68,9 @@ class Partner:
     Args:
         domain: whose plans.
         simulation: where.
-        goals: labels, in order.
+        goals: labels, in order; of none is made use where there is a ``conduct``.
         changes_mind: the first goal is given up for the second after its first action; the world is as it was left.
+        conduct: what they do for the goals, where it is not the plain thing.
         name: who they are; None: the first of the people.
         seed: of the way they take, where the plans allow several.
         helped: whether there is a robot that helps; without one they stop before a step that only it could do.
@@ -75,6 +86,7 @@ class Partner:
         goals: Sequence[str],
         changes_mind: bool = False,
         *,
+        conduct: Conduct | None = None,
         name: str | None = None,
         seed: int = 0,
         helped: bool = True,
@@ -83,13 +95,13 @@ class Partner:
         self.name = name or simulation.scene.human
         self.human: Human = simulation.people[self.name]
         self.helped = helped
-        self.pursuits = [Pursuit(goal, script_for(domain, goal, seed + at)) for at, goal in enumerate(goals)]
-        if changes_mind:
-            first = self.pursuits[0]
-            first.script, first.given_up = first.script[:1], True
+        self.conduct = conduct or plain(Surroundings(domain, simulation.scene, seed), goals, changes_mind)
+        self.pursuits = [Pursuit(stretch) for stretch in self.conduct.stretches]
         self.last_action_done: float | None = None  # when the last action of their own was finished
+        self.did: list[ScriptedAction] = []  # all of their own that is finished, in order
         self._consuming = set(domain.kb.rows("consumes", 1))
-        self._at = -1
+        self.at = -1  # the number of the stretch that they are at
+        self._undone: list[ScriptedAction] = []  # of that stretch
         self._seen = 0  # finished steps that were taken note of
         self._rest: deque[ScriptedAction] = deque()  # from the next step on that is somebody else's
         self._asked = False  # whether that somebody was asked
@@ -98,7 +110,7 @@ class Partner:
     @property
     def now(self) -> Pursuit:
         """What they are after, or were last."""
-        return self.pursuits[max(self._at, 0)]
+        return self.pursuits[max(self.at, 0)]
 
     @property
     def finished(self) -> bool:
@@ -109,7 +121,7 @@ class Partner:
     @property
     def idle(self) -> bool:
         """Whether nothing of their own is left to be done."""
-        return self.finished and self._at == len(self.pursuits) - 1
+        return self.finished and self.at == len(self.pursuits) - 1
 
     @property
     def waits(self) -> bool:
@@ -118,22 +130,27 @@ class Partner:
 
     def begin(self) -> None:
         """Go after the next goal."""
-        changed = self._at >= 0 and self.now.given_up
-        self._at += 1
-        if self._at and not changed:
-            for thing in sorted(self.now.things):
+        changed = self.at >= 0 and self.now.given_up
+        self.at += 1
+        if self.at and not changed:
+            for thing in sorted(self.now.stretch.things):
                 if self.simulation.scene.thing(thing).movable:
                     self.simulation.put_back(thing)
-        self._rest = deque(self.now.script)
+        self._rest, self._undone = deque(self.now.script), list(self.now.script)
         self._go_on()
 
     def needs(self, things: Collection[str]) -> bool:
         """Whether the next goal is about one of the things."""
-        return not self.pursuits[self._at + 1].things.isdisjoint(things)
+        return not self.pursuits[self.at + 1].stretch.things.isdisjoint(things)
 
     def heed(self, announced: Collection[Compound]) -> None:
-        """The robot has announced its part: what they have not begun of it is left to the robot."""
+        """The robot has announced its part: what they have not begun of it is left to the robot, but what they keep."""
+        if self.conduct.keeps is None:
+            return
         offered = [scripted for scripted in self.now.script if scripted.action in announced]
+        if not self.now.kept:
+            self.now.kept = offered[: self.conduct.keeps]
+        offered = [scripted for scripted in offered if scripted not in self.now.kept]
         dropped = self.human.leave([scripted.step for scripted in offered])
         left = [s for s in offered if s.step in dropped or (s in self._rest and self._is_own(s))]
         self._rest = deque(s for s in self._rest if s not in left)
@@ -157,9 +174,14 @@ class Partner:
         """
         finished = self.human.done[self._seen :]
         self._seen += len(finished)
-        for scripted in (s for s in self.now.script if s.step in finished and self._is_own(s)):
+        for step in finished:
+            scripted = next((s for s in self._undone if s.step == step and self._is_own(s)), None)
+            if scripted is None:
+                continue
+            self._undone.remove(scripted)
+            self.did.append(scripted)
             self.last_action_done = t
-            if (scripted.action.functor,) in self._consuming:
+            if scripted.action is not None and (scripted.action.functor,) in self._consuming:
                 self.simulation.remove(scripted.step.target or "")
         if self._rest and self._was_done(self._rest[0], robot_did):
             self._rest.popleft()
@@ -186,7 +208,7 @@ class Partner:
     def _was_done(self, scripted: ScriptedAction, robot_did: Iterable[Compound]) -> bool:
         """Whether somebody else has done their step; a person is asked when its time has come."""
         if scripted.by == self._robot:
-            return scripted.action in robot_did
+            return any(scripted.action == action for action in robot_did)
         other = self.simulation.people.get(scripted.by or "")
         if other is None or not self.human.idle:
             return False
