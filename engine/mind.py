@@ -7,6 +7,7 @@ It never ends: what a partner does is read episode after episode (`engine.readin
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
@@ -36,6 +37,8 @@ from casper.kb.reasons.validity import Verdict
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.lines import Line, Span, line, one_line, text_of
+
+TOGETHER = 0.35  # metres between two things within which they are in one place
 
 
 class Mind:
@@ -139,7 +142,7 @@ class Mind:
         prediction = self.actions.update(movement)
         if prediction is not None:
             about = self._about(focus, world, self.handled.update(relations))
-            events += [event.about(self.partner) for event in self._consider(prediction, about)]
+            events += [event.about(self.partner) for event in self._consider(prediction, about, world)]
         else:
             self.handled.update(relations)
         return events
@@ -159,8 +162,9 @@ class Mind:
         return list(self.course.did(action, t))
 
     def failed(self, action: Compound, t: float) -> list[Event]:
-        """The robot could not do an action of its part: its episode is over."""
-        return list(self.course.failed(action, t))
+        """The robot could not do an action of its part, and gives it up; the partner may do it."""
+        self.course.failed(action)
+        return []
 
     def end(self, t: float) -> list[Event]:
         """Nobody watches any more: the episodes that are still open are over."""
@@ -198,20 +202,25 @@ class Mind:
     def __repr__(self) -> str:
         return one_line(f"Mind that watches {self.partner} in {self.domain.name}: {self.reading!r}")
 
-    def _stated(self, prediction: Prediction, about: About) -> Statement | None:
-        """What seems to have happened, put into context: at the first place where it is valid, or at the first."""
-        stated = []
-        for place in about.places:
+    def _stated(self, prediction: Prediction, about: About, world: WorldState) -> Statement | None:
+        """What seems to have happened, put into context: at the first place where it is valid, or at the first.
+
+        Of two things in one place either may be what is handled: where one way round means nothing, the other is taken.
+        """
+        there = [(about.target, place) for place in about.places if about.target is not None]
+        round_ = [(place, target) for target, place in there if place is not None and _together(world, target, place)]
+        stated: list[Statement] = []
+        for target, place in there + round_:
             action = contextualise(prediction.action, place, self.contexts)
-            if action is not None and about.target is not None:
-                stated.append(Statement(prediction.t, self.partner, action, about.target, place))
+            if action is not None and target is not None and ((target, place) in there or not stated):
+                stated.append(Statement(prediction.t, self.partner, action, target, place))
         if len(stated) > 1 and self.verifier is not None:
             return next((s for s in stated if self.verifier.judge(s).valid), stated[0])
         return stated[0] if stated else None
 
-    def _consider(self, prediction: Prediction, about: About) -> Iterator[Event]:
+    def _consider(self, prediction: Prediction, about: About, world: WorldState) -> Iterator[Event]:
         """An action seems to have happened: put it into context, verify it, and pass it on to the reading."""
-        statement = self._stated(prediction, about)
+        statement = self._stated(prediction, about, world)
         if statement is None:
             return  # not yet known what it means; the prediction stands, and the next step may tell
         if str(statement) == self._refused:
@@ -247,6 +256,12 @@ class Mind:
             self._lost = lost
             room = f"setting(verification, remembered, {self.history.most}) leaves no room for it"
             yield Event("warning", t, {"message": f"did/2 no longer has {term_text(as_term(lost))}: {room}"})
+
+
+def _together(world: WorldState, thing: str | None, other: str | None) -> bool:
+    """Whether two things lie in one place."""
+    one, two = world.objects.get(thing or ""), world.objects.get(other or "")
+    return one is not None and two is not None and math.dist((one.x, one.y), (two.x, two.y)) < TOGETHER
 
 
 def jumps(tracker: Tracker, t: float) -> list[Event]:

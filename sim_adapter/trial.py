@@ -165,6 +165,7 @@ class Trial:
             self._heard(did)
             for partner in self.partners.values():
                 partner.notice(now, self.helper.finished)
+                partner.wait(now)
                 self._go_on(partner)
             self.truth.see((*told, *did))
             if not self._is_over():
@@ -174,7 +175,7 @@ class Trial:
             elif now - idle_since >= AFTERWARDS:
                 break
         ended = list(self.minds.end(self.simulation.time))
-        self.truth.see(ended)
+        self.truth.see(ended, is_end=True)
         yield from ended
         yield self._summary()
 

@@ -1,7 +1,7 @@
 """The truth of a trial, from what the simulation did and what partners set out to do, never from what a mind believes.
 
-* **right at the end**: the goals that were read and not taken to be given up are just those that the partner pursued
-  and did not give up, each as often as it was pursued;
+* **right at the end**: the goals that were read, in episodes that are finished or still open at the end, are just those
+  that the partner pursued and did not give up, each as often as it was pursued;
 * **wrong intervention**: the robot took hold of something for a step that was left to be done of no goal the partner
   had at that time, nor was announced when it was (and not withdrawn since);
 * **help has ended** when every step that was ever announced was done by the robot, or by the partner, or is given up
@@ -16,13 +16,13 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from casper.engine.events import Event
+from casper.engine.reading.underway import FINISHED, UNCLEAR
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.sim_adapter.helping import Helper
 from casper.sim_adapter.partners.partner import Partner
 from casper.sim_adapter.simulation import Simulation
 
-ABANDONED = "abandoned"  # the outcome of an episode that is taken to be given up
 OPEN = ("announced", "asked")  # what became of a step of which nothing came yet
 
 
@@ -108,8 +108,9 @@ class Truth:
         self.wrong_interventions: list[str] = []
         self._grasped: tuple[int, str | None] = (0, None)
 
-    def see(self, told: Iterable[Event]) -> None:
-        """One period more."""
+    def see(self, told: Iterable[Event], is_end: bool = False) -> None:
+        """One period more, or what was told when nobody watched any more."""
+        read = (FINISHED, UNCLEAR) if is_end else (FINISHED,)
         for record in self.records.values():
             done = record.notice()
             for help_ in record.help.values():
@@ -118,14 +119,14 @@ class Truth:
         for event in told:
             whose = self.records.get(str(event.data.get("partner") or event.data.get("agent")))
             if whose is not None:
-                self._hear(whose, event)
+                self._hear(whose, event, read)
         self._look()
 
-    def _hear(self, record: Record, event: Event) -> None:
+    def _hear(self, record: Record, event: Event, read: tuple[str, ...]) -> None:
         data = event.data
         if event.type == "prediction":
             record.predicted.add(data["goal"])
-        elif event.type == "episode" and data["goal"] in record.predicted and data["outcome"] != ABANDONED:
+        elif event.type == "episode" and data["goal"] in record.predicted and data["outcome"] in read:
             record.believed.append(data["goal"])
         elif event.type == "plan":
             _announced(record, data["goal"], data["actions"])

@@ -80,6 +80,7 @@ class Supervisor:
         self.waiting: tuple[Compound, ...] = ()
         self.actions: tuple[Compound, ...] = ()
         self.done: list[Compound] = []  # of what was announced, by the robot
+        self.given_up: set[Compound] = set()  # what the robot could not do, and announces no more
         self._made: CollaborativePlan | None = None  # the last one that was announced
 
     @property
@@ -99,6 +100,11 @@ class Supervisor:
     def did(self, action: Compound) -> None:
         """The robot has done one of the actions it announced."""
         self.done.append(action)
+
+    def gives_up(self, action: Compound) -> None:
+        """The robot could not do an action: it does no more of what it announced, and never announces that again."""
+        self.given_up.add(action)
+        self.waiting, self.actions = (), ()
 
     def goes_on(self, t: float) -> list[Event]:
         """The robot has done a part that the plan leaves to it alone, and others were waiting for: what it does next.
@@ -203,6 +209,8 @@ class Supervisor:
         return tell.phrase(phrase, tell.goal(goal))
 
     def _announce(self, plan: CollaborativePlan, t: float) -> Iterator[Event]:
+        if not self.given_up.isdisjoint(plan.actions):
+            return
         if self._made is None or (plan.waiting, plan.actions) != (self.waiting, self.actions):
             self._made, self.waiting, self.actions = plan, plan.waiting, plan.actions
             yield Event("plan", t, {**plan.to_json(), "ready": self.ready})

@@ -5,7 +5,7 @@ Whatever is seen belongs to an episode or is left out (`segments`). An episode c
 * everything was seen, by every explanation of its committed goal, or the robot has done its part: ``finished``;
 * the partner went over to something else before: ``abandoned``, or ``unclear`` where no goal was committed to. Where
   only the robot's part was left, the episode stays open beside the new one until the robot has done it;
-* the robot failed in its part, or nobody watches any more: ``unclear``.
+* nobody watches any more: ``unclear``, as is what the robot has given up and the partner goes over to something else.
 
 Who comes back to a goal that was taken to be given up never gave it up: its episode is taken up again with all that was
 seen of it, its row is struck, and what was announced for it is announced anew. From then on both are open.
@@ -141,11 +141,11 @@ class Course:
                 if not coming:
                     yield from self._close(episode, FINISHED, t)
 
-    def failed(self, action: Compound, t: float) -> Iterator[Event]:
-        """The robot could not do an action that it had announced, and gives its part up."""
+    def failed(self, action: Compound) -> None:
+        """The robot could not do an action that it had announced: the episode stays open for the partner to go on."""
         episode = self._whose(action)
         if episode is not None:
-            yield from self._close(episode, UNCLEAR, t)
+            episode.supervisor.gives_up(action)
 
     def end(self, t: float) -> Iterator[Event]:
         """Nobody watches any more: what is open is over."""

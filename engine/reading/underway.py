@@ -70,7 +70,7 @@ class Underway:
         """How it ends when the partner goes over to something else now."""
         if self.is_complete:
             return FINISHED
-        return UNCLEAR if self.supervisor.commitment is None else ABANDONED
+        return UNCLEAR if self.supervisor.commitment is None or self.supervisor.given_up else ABANDONED
 
     def contains(self, seen: Seen) -> bool:
         """Whether the best explanation's plan has the very action, whether or not it can come now."""

@@ -16,6 +16,8 @@ from casper.sim_adapter.script import ScriptedAction
 from casper.sim_adapter.simulation import Simulation
 from casper.sim_adapter.steps import Step
 
+PATIENCE = 20.0  # seconds they wait for an idle robot before they do themselves what was left to it
+
 
 @dataclass
 class Pursuit:
@@ -101,6 +103,8 @@ class Partner:
         self.did: list[ScriptedAction] = []  # all of their own that is finished, in order
         self._consuming = set(domain.kb.rows("consumes", 1))
         self.at = -1  # the number of the stretch that they are at
+        self._heard = 0  # actions of the robot that were taken note of
+        self._waits_since: float | None = None
         self._undone: list[ScriptedAction] = []  # of that stretch
         self._seen = 0  # finished steps that were taken note of
         self._rest: deque[ScriptedAction] = deque()  # from the next step on that is somebody else's
@@ -112,6 +116,15 @@ class Partner:
         """What they are after, or were last."""
         return self.pursuits[max(self.at, 0)]
 
+    def wait(self, t: float) -> None:
+        """Wait for what is left to the robot; when nothing comes of it for a while, they do it themselves."""
+        if not (self.now.left and self.human.idle and self.simulation.robot.idle):
+            self._waits_since = None
+        elif self._waits_since is None:
+            self._waits_since = t
+        elif t - self._waits_since >= PATIENCE:
+            self.take_back(())
+
     @property
     def finished(self) -> bool:
         """Whether nothing of their own is left to be done for what they are after."""
@@ -121,12 +134,12 @@ class Partner:
     @property
     def idle(self) -> bool:
         """Whether nothing of their own is left to be done."""
-        return self.finished and self.at == len(self.pursuits) - 1
+        return self.finished and self.at == len(self.pursuits) - 1 and not (self.helped and self.now.left)
 
     @property
     def waits(self) -> bool:
         """Whether they are done with one goal and the next has not begun."""
-        return self.finished and not self.idle
+        return self.finished and self.at < len(self.pursuits) - 1
 
     def begin(self) -> None:
         """Go after the next goal."""
@@ -172,6 +185,10 @@ class Partner:
             t: when, in seconds.
             robot_did: all that the robot has done so far.
         """
+        robot_did = list(robot_did)
+        for action in robot_did[self._heard :]:
+            self.now.left = [scripted for scripted in self.now.left if scripted.action != action]
+        self._heard = len(robot_did)
         finished = self.human.done[self._seen :]
         self._seen += len(finished)
         for step in finished:

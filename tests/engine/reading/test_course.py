@@ -93,10 +93,27 @@ def test_the_partner_may_do_what_they_had_left_to_the_robot():
     assert told(events, "episode") == [("episode", "tea", "finished"), ("episode", "toast", "finished")]
 
 
-def test_a_part_that_the_robot_fails_in_leaves_it_unclear():
+def test_a_part_that_the_robot_fails_in_is_left_to_the_partner():
     day = course()
     seen(day, "boil", "pour", "drink")
-    assert told(day.failed(Compound(("rinse",)), 5.0), "episode") == [("episode", "tea", "unclear")]
+    day.failed(Compound(("rinse",)))
+    assert not day.current.supervisor.ready
+    assert told(seen(day, "rinse"), "episode") == [("episode", "tea", "finished")]
+
+
+def test_what_the_robot_failed_in_and_nobody_did_is_unclear():
+    day = course()
+    seen(day, "boil", "pour", "drink")
+    day.failed(Compound(("rinse",)))
+    assert told(seen(day, "slice"), "episode") == [("episode", "tea", "unclear")]
+
+
+def test_who_comes_back_to_a_goal_never_gave_it_up():
+    day = course()
+    assert told(seen(day, "boil", "slice"), "episode") == [("episode", "tea", "abandoned")]
+    seen(day, "pour")
+    assert rows(day) == []
+    assert told(seen(day, "grill", "drink", "rinse", "eat"), "episode") == [("episode", "tea", "finished"), ("episode", "toast", "finished")]
 
 
 def test_what_the_robot_did_for_nobody_changes_nothing():
