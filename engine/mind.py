@@ -7,7 +7,6 @@ It never ends: what a partner does is read episode after episode (`engine.readin
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
@@ -22,7 +21,7 @@ from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.events.printing import Names, plan_lines, prediction_lines
 from casper.engine.movements.movements import Movement, movement_classifier
-from casper.engine.perception.about import About, Handled, about, about_nearby
+from casper.engine.perception.about import About, Handled, about, about_nearby, are_together, is_in_reach
 from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, perception_settings
 from casper.engine.perception.tracking import Tracker, tracker_settings
@@ -37,8 +36,6 @@ from casper.kb.reasons.validity import Verdict
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.lines import Line, Span, line, one_line, text_of
-
-TOGETHER = 0.35  # metres between two things within which they are in one place
 
 
 class Mind:
@@ -206,13 +203,16 @@ class Mind:
         """What seems to have happened, put into context: at the first place where it is valid, or at the first.
 
         Of two things in one place either may be what is handled: where one way round means nothing, the other is taken.
+        What means something at a place only is done where one can reach.
         """
         there = [(about.target, place) for place in about.places if about.target is not None]
-        round_ = [(place, target) for target, place in there if place is not None and _together(world, target, place)]
+        if any(prediction.action == action for action, _ in self.contexts):
+            there = [pair for pair in there if any(is_in_reach(world, self.partner, name) for name in pair)]
+        turned = [(place, target) for target, place in there if place and are_together(world, target, place)]
         stated: list[Statement] = []
-        for target, place in there + round_:
+        for target, place in there + turned:
             action = contextualise(prediction.action, place, self.contexts)
-            if action is not None and target is not None and ((target, place) in there or not stated):
+            if action is not None and ((target, place) in there or not stated):
                 stated.append(Statement(prediction.t, self.partner, action, target, place))
         if len(stated) > 1 and self.verifier is not None:
             return next((s for s in stated if self.verifier.judge(s).valid), stated[0])
@@ -256,12 +256,6 @@ class Mind:
             self._lost = lost
             room = f"setting(verification, remembered, {self.history.most}) leaves no room for it"
             yield Event("warning", t, {"message": f"did/2 no longer has {term_text(as_term(lost))}: {room}"})
-
-
-def _together(world: WorldState, thing: str | None, other: str | None) -> bool:
-    """Whether two things lie in one place."""
-    one, two = world.objects.get(thing or ""), world.objects.get(other or "")
-    return one is not None and two is not None and math.dist((one.x, one.y), (two.x, two.y)) < TOGETHER
 
 
 def jumps(tracker: Tracker, t: float) -> list[Event]:

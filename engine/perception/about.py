@@ -90,3 +90,15 @@ def about_nearby(focus: Focus, handled: str | None, agent: AgentState, world: Wo
     gaps = sorted((math.hypot(o.x - at.x, o.y - at.y), name) for name, o in things.items() if name != target)
     most = min(gaps[0][0] + BESIDE, FARTHEST) if gaps else 0.0
     return About(target, tuple(name for gap, name in gaps if gap <= most) or (None,))
+
+
+def are_together(world: WorldState, thing: str, other: str) -> bool:
+    """Whether two things are seen in one place."""
+    one, two = world.objects.get(thing), world.objects.get(other)
+    return one is not None and two is not None and math.hypot(one.x - two.x, one.y - two.y) < TOGETHER
+
+
+def is_in_reach(world: WorldState, agent: str, thing: str | None) -> bool:
+    """Whether somebody can handle a thing from where they are, as far as both are seen."""
+    who, what = world.agents.get(agent), world.objects.get(thing or "")
+    return who is None or what is None or math.hypot(what.x - who.x, what.y - who.y) <= REACH
