@@ -21,7 +21,7 @@ from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.events.printing import Names, plan_lines, prediction_lines
 from casper.engine.movements.movements import Movement, movement_classifier
-from casper.engine.perception.about import About, Handled, about, about_nearby, are_together, is_in_reach
+from casper.engine.perception.about import About, Handled, about, about_nearby, are_together, beside, is_in_reach
 from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, perception_settings
 from casper.engine.perception.tracking import Tracker, tracker_settings
@@ -200,12 +200,15 @@ class Mind:
         return one_line(f"Mind that watches {self.partner} in {self.domain.name}: {self.reading!r}")
 
     def _stated(self, prediction: Prediction, about: About, world: WorldState) -> Statement | None:
-        """What seems to have happened, put into context: at the first place where it is valid, or at the first.
+        """What seems to have happened, put into context: at the first place where it is valid and in some plan, else at
+        the first where it is valid, or at the first.
 
-        Of two things in one place either may be what is handled: where one way round means nothing, the other is taken.
-        What means something at a place only is done where one can reach.
+        What is in one place with that comes into question, too. Of two things in one place either may be what is
+        handled: where one way round means nothing, the other is taken. What means something at a place only is done
+        where one can reach.
         """
-        there = [(about.target, place) for place in about.places if about.target is not None]
+        places = [*about.places, *beside(world, about)]
+        there = [(about.target, place) for place in places if about.target is not None]
         if any(prediction.action == action for action, _ in self.contexts):
             there = [pair for pair in there if any(is_in_reach(world, self.partner, name) for name in pair)]
         turned = [(place, target) for target, place in there if place and are_together(world, target, place)]
@@ -215,8 +218,17 @@ class Mind:
             if action is not None and ((target, place) in there or not stated):
                 stated.append(Statement(prediction.t, self.partner, action, target, place))
         if len(stated) > 1 and self.verifier is not None:
-            return next((s for s in stated if self.verifier.judge(s).valid), stated[0])
+            valid = [s for s in stated if self.verifier.judge(s).valid] or stated[:1]
+            return next((s for s in valid if len(valid) > 1 and self._is_of_a_plan(s)), valid[0])
         return stated[0] if stated else None
+
+    def _is_of_a_plan(self, statement: Statement) -> bool:
+        """Whether some plan has the very action."""
+        if statement.action not in self._known_actions:
+            return False
+        reading = self._begun()
+        reading.observe(Observation(statement.action, statement.term.args[1:], t=statement.t))
+        return reading.count > 0
 
     def _consider(self, prediction: Prediction, about: About, world: WorldState) -> Iterator[Event]:
         """An action seems to have happened: put it into context, verify it, and pass it on to the reading."""

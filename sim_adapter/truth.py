@@ -5,7 +5,8 @@
 * **wrong intervention**: the robot took hold of something for a step that was left to be done of no goal the partner
   had at that time, nor was announced when it was (and not withdrawn since);
 * **help has ended** when every step that was ever announced was done by the robot, or by the partner, or is given up
-  for a reason that is true: what failed says why, what was withdrawn is of a goal the partner no longer has.
+  for a reason that is true: what failed says why, what was withdrawn is of a goal the partner no longer has, or was
+  not busy with.
 """
 
 from __future__ import annotations
@@ -78,6 +79,10 @@ class Record:
         """Whether something is left to be done for a goal that they have."""
         return any(+left and goal in pursuit.stretch.goals for pursuit, left in zip(self.partner.pursuits, self.left))
 
+    def is_elsewhere(self, goal: str) -> bool:
+        """Whether what they did last, or do, serves another goal."""
+        return any(scripted.goal not in (None, goal) for scripted in self.partner.busy_with)
+
     def notice(self) -> list[str]:
         """Take into account which stretch they are at, and what they have done; returns the steps done since."""
         while len(self.left) <= self.partner.at:
@@ -114,8 +119,8 @@ class Truth:
         for record in self.records.values():
             done = record.notice()
             for help_ in record.help.values():
-                if help_.action in done and help_.outcome in ("announced", "asked", "dropped"):
-                    help_.outcome, help_.because, help_.is_true = "taken over", "the partner did it", True
+                if help_.action in done and help_.outcome in (*OPEN, "dropped", "withdrawn"):
+                    help_.outcome, help_.because, help_.is_true = "taken over", "", True
         for event in told:
             whose = self.records.get(str(event.data.get("partner") or event.data.get("agent")))
             if whose is not None:
@@ -134,7 +139,7 @@ class Truth:
             for help_ in record.help.values():
                 if help_.goal == data["goal"] and help_.outcome in OPEN:
                     help_.outcome, help_.because = "withdrawn", data["because"]
-                    help_.is_true = not record.needs(help_.action, help_.goal)
+                    help_.is_true = not record.needs(help_.action, help_.goal) or record.is_elsewhere(help_.goal)
         elif event.type == "robot":
             _reported(record, data)
 

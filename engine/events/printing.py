@@ -174,6 +174,17 @@ def episode_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
     yield _at(t, mark[data["outcome"]], Span(tell.phrase(data["outcome"], goal), "strong"), span)
 
 
+_FATES = {
+    "announced": "announced, and its time never came",
+    "asked": "begun, and not ended",
+    "dropped": "not needed any more",
+    "failed": "given up",
+    "stopped": "stopped",
+    "taken over": "done by the partner",
+    "withdrawn": "withdrawn",
+}  # what became of an announced step that the robot has not done
+
+
 def summary_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
     """What was predicted and done, and whether it was right, of every partner; of several goals, how each ended."""
     rows, partners = data.get("episodes", ()), data.get("partners", ())
@@ -182,12 +193,21 @@ def summary_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
         yield from _wanted_lines(t, {**row, "episodes": theirs}, replace(names, partner=row["agent"]))
     if not partners:
         yield from _wanted_lines(t, data, names)
+    behaviour = data.get("behaviour") or {"names": [], "told": []}
+    if behaviour["names"]:
+        yield _under(f"{names.partner} was {', '.join(behaviour['names'])}: {'; '.join(behaviour['told'])}")
     for row in rows if len(rows) > max(1, len(partners)) else ():
         yield _under(f"{row['agent']}: ", Span(row["goal"] or "?", "strong"), f" {row['outcome']} at {row['to']:.1f} s")
     if data.get("goal") is not None and data["robot"]["actions"]:
         done = Span("finished", "good") if data["robot"]["done"] else Span("not finished", "bad")
         part = ", ".join(names.tell.step(action, names.robot) for action in data["robot"]["actions"])
         yield _under(f"{names.tell.name(names.robot)}'s part ({part}) is ", done)
+    truth = data.get("truth") or {"help": [], "wrong_interventions": []}
+    for step in (step for step in truth["help"] if step["outcome"] != "done"):
+        because = f": {step['because']}" if step["because"] else ""
+        yield _under(f"{names.tell.step(step['action'], names.robot)} was {_FATES[step['outcome']]}{because}")
+    for wrong in truth["wrong_interventions"]:
+        yield _under(Span("wrong intervention: ", "bad"), wrong)
 
 
 def _wanted_lines(t: float, data: Data, names: Names) -> Iterator[Line]:

@@ -92,6 +92,13 @@ def about_nearby(focus: Focus, handled: str | None, agent: AgentState, world: Wo
     return About(target, tuple(name for gap, name in gaps if gap <= most) or (None,))
 
 
+def beside(world: WorldState, about: About) -> list[str]:
+    """What is in one place with the likeliest place of an action, and is neither that nor its target."""
+    first = about.places[0] if about.places else None
+    known = {about.target, *about.places}
+    return [] if first is None else [n for n in world.objects if n not in known and are_together(world, first, n)]
+
+
 def are_together(world: WorldState, thing: str, other: str) -> bool:
     """Whether two things are seen in one place."""
     one, two = world.objects.get(thing), world.objects.get(other)

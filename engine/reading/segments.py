@@ -126,7 +126,7 @@ class BySight:
         for episode in aside if not is_over else ():
             if comes_back(seen, episode):
                 return GoesOn(episode)
-        for episode in others:
+        for episode in others if is_over else (*others, *aside):  # steps of it may have gone unseen
             if refusal_of(seen, episode) is None:
                 return GoesOn(episode)
         if is_open:

@@ -141,6 +141,12 @@ class Partner:
         """Whether they are done with one goal and the next has not begun."""
         return self.finished and self.at < len(self.pursuits) - 1
 
+    @property
+    def busy_with(self) -> list[ScriptedAction]:
+        """What they did last, and what they do."""
+        current = next((scripted for scripted in self._undone if scripted.step == self.human.current), None)
+        return [*self.did[-1:], *([] if current is None else [current])]
+
     def begin(self) -> None:
         """Go after the next goal."""
         changed = self.at >= 0 and self.now.given_up
