@@ -182,14 +182,15 @@ class Trial:
     def _heard(self, told: Sequence[Event]) -> None:
         """The partners hear what the robot announces and withdraws."""
         for name, partner in self.partners.items():
-            types = {event.type for event in told if name in (event.data.get("partner"), event.data.get("agent"))}
+            theirs = [event for event in told if name in (event.data.get("partner"), event.data.get("agent"))]
+            types = {event.data["status"] if event.type == "robot" else event.type for event in theirs}
             mind = self.minds.minds.get(name)
             if mind is None:  # not in view yet
                 continue
             announced = {action for supervisor in mind.course.supervisors for action in supervisor.actions}
             if "plan" in types:
                 partner.heed(announced)
-            if "withdrawn" in types:
+            if "withdrawn" in types or "failed" in types:
                 partner.take_back(announced)
 
     def _go_on(self, partner: Partner) -> None:

@@ -195,6 +195,8 @@ def _reported(record: Record, data: Mapping[str, Any]) -> None:
         if help_.action == action and help_.outcome in OPEN:
             help_.outcome, help_.because = status, data.get("reason", "")
             help_.is_true = status in ("asked", "done") or bool(help_.because)
+        elif status == "failed" and help_.outcome == "asked":
+            help_.outcome, help_.because = status, f"{action} was not done before: {data.get('reason', '')}"
 
 
 def _goal(task: Any) -> str:

@@ -108,7 +108,8 @@ def _judged(trial: Trial, events: list[Event]) -> dict[str, Any]:
 def _theirs(trial: Trial) -> tuple[set[str], set[str]]:
     """The steps of all partners, as texts, and their goals."""
     pursuits = [pursuit for partner in trial.partners.values() for pursuit in partner.pursuits]
-    return _texts(s.action for pursuit in pursuits for s in pursuit.script), {pursuit.goal for pursuit in pursuits}
+    actions = (s.action for pursuit in pursuits for s in pursuit.script if s.action is not None)
+    return _texts(actions), {goal for pursuit in pursuits for goal in pursuit.stretch.goals}
 
 
 def _texts(actions: Iterable[Compound]) -> set[str]:

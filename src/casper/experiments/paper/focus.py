@@ -37,7 +37,7 @@ def work(asked: Asked, ran: Ran) -> Data:
 
     def look() -> None:
         human, step = trial.simulation.human, trial.simulation.human.current
-        doing = next((s.action.functor for s in trial.script if s.step == step), "")
+        doing = next((s.action.functor for s in trial.script if s.action is not None and s.step == step), "")
         place = {"t": trial.simulation.time, "x": round(human.x, 4), "y": round(human.y, 4)}
         where = "" if step is None or step.destination is None else step.destination
         path.append({**place, "doing": doing, "movement": human.movement, "destination": where})
