@@ -75,8 +75,8 @@ def main() -> None:
     rare = sum(shared[half] < FEW for _, half in halves)
     print(f"{len(halves) - rare} halves begin as {FEW} and more others do; the {rare} others are taken for right")
     for who, counted in goals.items():
-        told = [(goal, max(counted[half], key=counted[half].__getitem__)) for goal, half in halves if shared[half] >= FEW]
-        right = sum(guess == goal for goal, guess in told)
+        often = [(goal, counted[half]) for goal, half in halves if shared[half] >= FEW]
+        right = sum(max(counts, key=counts.__getitem__) == goal for goal, counts in often)
         print(f"{who}: right of {right}, {(right + rare) / len(halves):.1%} at best")
 
 
