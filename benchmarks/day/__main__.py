@@ -1,8 +1,9 @@
 """A day in figures: sets of goals, changes of mind, whole days. Times are CPU time.
 
-    python benchmarks/day [--quick] [--only a|b|c] [--seed N]
+    python benchmarks/day [--quick] [--only a|b|c] [--seed N] [--recorded N] [--episodes N] [--no-rivals]
 
-Prices are the defaults everywhere. Exit code 1 when a bound of the project is not held.
+Prices are the defaults everywhere; with --recorded those of kitchens are learned from so many other episodes, as
+``casper train --plans`` does, for each row anew. Exit code 1 when a bound of the project is not held.
 """
 
 from __future__ import annotations
@@ -42,15 +43,21 @@ def main() -> int:
     parser.add_argument("--quick", action="store_true", help="fewer episodes, a few minutes")
     parser.add_argument("--only", choices="abc", help="one part only")
     parser.add_argument("--seed", type=int, default=0, help="of the libraries and of what is done")
+    parser.add_argument("--recorded", type=int, default=0, help="episodes of a kitchen to learn prices from; 0: none")
+    parser.add_argument("--episodes", type=int, help="of each row of kitchens")
+    parser.add_argument("--no-rivals", action="store_true", help="leave the other recognisers out of kitchens")
     given = parser.parse_args()
     episodes, many, goals = (20, 50, 40) if given.quick else (200, 500, 200)
+    episodes = given.episodes or episodes
     if given.only in (None, "a"):
         for dishes in (20, 100):
             for what, needless, unseen, bound in CASES:
-                ours, theirs = kitchen(dishes, episodes, needless, unseen, seed=given.seed)
+                ours, theirs = kitchen(
+                    dishes, episodes, needless, unseen, not given.no_rivals, given.seed, given.recorded
+                )
                 told(f"(a) 2-5 of {dishes} dishes, {what}: right set", ours.share, bound, f"{ours.of} episodes")
                 times(ours, 5, 100)
-                for name, score in theirs.items():
+                for name, score in theirs.items() if not given.no_rivals else ():
                     told(f"  {name}", score.share, None, f"{score.of} episodes")
     if given.only in (None, "b"):
         mine, others = changes(many, given.seed)

@@ -15,6 +15,8 @@ from rivals import BayesianFilter, Listed, phatt_goals
 
 from casper.engine.episodes.day import Day
 from casper.engine.episodes.enumerated import Enumerated
+from casper.engine.episodes.prices import Prices
+from casper.engine.episodes.training import Recorded, learn
 from casper.engine.live.memory import keep_loaded
 from casper.engine.reading.reading import nobody_can
 from casper.engine.verification.matching import ParameterMatcher
@@ -23,6 +25,7 @@ from casper.plans.trees.plan import Plan
 
 PHATT_EPISODES = 10  # of a kitchen, and of changes of mind: it takes long, and gives up most of them
 PHATT_OBSERVATIONS = 60  # of a day
+DEFAULTS = Prices()
 
 
 @dataclass
@@ -47,10 +50,22 @@ class Score:
         return sorted(self.seconds)[len(self.seconds) // 2]
 
 
-def fresh(plans: Sequence[Plan]) -> Day:
-    """A day with the default prices, by parameters; what was loaded is kept for good, as the commands do."""
+def fresh(plans: Sequence[Plan], prices: Prices = DEFAULTS) -> Day:
+    """A day with these prices, by parameters; what was loaded is kept for good, as the commands do."""
     keep_loaded()
-    return Day(Enumerated(plans, ParameterMatcher(plans), nobody_can))
+    return Day(Enumerated(plans, ParameterMatcher(plans), nobody_can), prices)
+
+
+def learned(plans: Sequence[Plan], recorded: int, needless: float, unseen: float, seed: int) -> Prices:
+    """The prices that ``casper train --plans`` learns from so many recorded episodes of a kitchen, with their goals."""
+    if not recorded:
+        return DEFAULTS
+    chance, days, growing = random.Random(seed), [], Enumerated(plans, ParameterMatcher(plans), nobody_can)
+    for _ in range(recorded):
+        seen = kitchens.cooked(plans, chance.randint(2, 5), chance, needless, unseen)
+        served = [() if goal is None else (goal,) for goal in seen.goals]
+        days.append([Recorded(str(done), goals=goals) for done, goals in zip(seen.observations, served)])
+    return learn(lambda prices: Day(growing, prices), days, DEFAULTS).prices
 
 
 def observe(day: Day, seen: Observation | str, score: Score) -> None:
@@ -62,11 +77,20 @@ def observe(day: Day, seen: Observation | str, score: Score) -> None:
 
 
 def kitchen(
-    dishes: int, episodes: int, needless: float = 0.0, unseen: float = 0.0, rivals: bool = True, seed: int = 0
+    dishes: int,
+    episodes: int,
+    needless: float = 0.0,
+    unseen: float = 0.0,
+    rivals: bool = True,
+    seed: int = 0,
+    recorded: int = 0,
 ) -> tuple[Score, dict[str, Score]]:
-    """Sets of two to five dishes: ours, and the rivals' scores by name."""
+    """Sets of two to five dishes: ours, and the rivals' scores by name.
+
+    With ``recorded`` the prices are learned from so many other episodes of the same kitchen; 0: they are the defaults.
+    """
     plans, chance = kitchens.library(dishes, seed).ways, random.Random(seed + 1)
-    matcher, start = ParameterMatcher(plans), fresh(plans)
+    matcher, start = ParameterMatcher(plans), fresh(plans, learned(plans, recorded, needless, unseen, seed + 4))
     ours, theirs = Score(), {"Bayesian filter, told how many": Score(), "PHATT-style, told how many": Score()}
     for number in range(episodes):
         seen = kitchens.cooked(plans, chance.randint(2, 5), chance, needless, unseen)

@@ -37,7 +37,7 @@ class Beam:
         for state, weight in self.weights.items():
             share = weight / max(1, self.networks.choices(state))
             for step in self.networks.steps(state, seen, None):  # type: ignore[arg-type]
-                after[step.state] = after.get(step.state, 0.0) + share * self.unseen**step.missed
+                after[step.state] = after.get(step.state, 0.0) + share * step.part * self.unseen**step.missed
         best = sorted(after.items(), key=lambda pair: -pair[1] * self.grown(pair[0]))[: self.kept]
         whole = sum(weight for _, weight in best)
         self.lost += not best

@@ -56,8 +56,8 @@ class LooksBack(Protocol):
     def looks_back(self) -> bool:
         """Whether anything depends on what was done earlier."""
 
-    def of(self, agent: str | None, past: Past) -> Matcher:
-        """The matcher for an agent after this past."""
+    def of(self, agent: str | None, pasts: Sequence[Past], gone: int) -> Matcher:
+        """The matcher for an agent after these pasts, of each moment since the first ``gone`` observations."""
 
 
 # what its arguments are (None: not known apart), its action, what is closed and entered after it, missed, parameters
@@ -95,6 +95,7 @@ class Enumerated:
         self._matchers: dict[str | None, Matcher] = {}
         self._changes = 0
         self._pasts: deque[Past] = deque([()], LAG + 1)
+        self._gone = 0  # observations before those pasts
         numbers = {label: number for number, label in enumerate(self.goals)}
         self._ways: list[list[int]] = [[] for _ in self.goals]
         self._named: list[dict[str, list[int]]] = []
@@ -117,7 +118,7 @@ class Enumerated:
     def __reduce__(self) -> tuple[Any, ...]:
         """By what it was made of and what was observed; what was worked out is never sent."""
         recipe: Recipe | Matcher = getattr(self._matcher, "recipe", self._matcher)
-        return _resumed, (self.plans, recipe, self._capability, self.most_missed, tuple(self._pasts))
+        return _resumed, (self.plans, recipe, self._capability, self.most_missed, tuple(self._pasts), self._gone)
 
     # --- going on ----------------------------------------------------------------------------------------------------
 
@@ -215,7 +216,7 @@ class Enumerated:
         found: list[Step[Standing]] = []
         for leaf in leaves:
             if not closed >> leaf & 1:
-                bound = matcher.match(number, leaf, seen, binding)
+                bound = self._matched(at, leaf, seen, matcher)
                 if isinstance(bound, Mismatch):
                     continue
                 plan = self.plans[number]
@@ -227,6 +228,15 @@ class Enumerated:
                         fresh = min(binding.count(None) - bound.count(None), self._free[number][leaf])
                     found.append(Step(standing, after[3], plan.leaves[leaf], weight, False, fresh))
         return found
+
+    def _matched(self, at: Standing, leaf: int, seen: Observation, matcher: Matcher) -> Binding | Mismatch:
+        """The binding after an open leaf took the observation, and the conditions that it asks where it stands."""
+        _, number, closed, entered, binding = at
+        assert number is not None
+        bound, chart = matcher.match(number, leaf, seen, binding), self.plans[number].chart
+        if isinstance(bound, Mismatch) or not chart.guards:
+            return bound
+        return matcher.ask(number, chart.asked((closed, entered, 0, 0), leaf), seen, bound)
 
     def _begun(self, state: Standing, matcher: Matcher) -> Iterator[Standing]:
         """The state itself, or every plan of a goal for which none was chosen yet."""
@@ -242,7 +252,7 @@ class Enumerated:
         if self._verdicts is None:
             return self._matcher
         if agent not in self._matchers:
-            self._matchers[agent] = self._verdicts.of(agent, self._pasts[-1])
+            self._matchers[agent] = self._verdicts.of(agent, tuple(self._pasts), self._gone)
         return self._matchers[agent]
 
     # --- where it stands ---------------------------------------------------------------------------------------------
@@ -332,7 +342,7 @@ class Enumerated:
                 for leaf in self._named[standing.plan].get(option.action, ()):
                     has_it = True
                     if not standing.closed >> leaf & 1:
-                        bound = matcher.match(standing.plan, leaf, option, standing.binding)
+                        bound = self._matched(standing, leaf, option, matcher)
                         found.update(dict.fromkeys(bound.reasons if isinstance(bound, Mismatch) else ()))
         if found:
             return tuple(found)
@@ -356,6 +366,7 @@ class Enumerated:
                 statement = Compound((seen.action, self._verdicts.partner if agent is None else agent, *seen.args))
                 (*_, done) = in_order([statement if t is None else (statement, t)], past)
                 past = with_statement(past, *done)
+        self._gone += len(self._pasts) > LAG
         self._pasts.append(past)
 
     def forget(self) -> None:
@@ -374,10 +385,15 @@ class Enumerated:
 
 
 def _resumed(
-    plans: Sequence[Plan], recipe: Recipe | Matcher, capability: Capability, most_missed: int, pasts: Sequence[Past]
+    plans: Sequence[Plan],
+    recipe: Recipe | Matcher,
+    capability: Capability,
+    most_missed: int,
+    pasts: Sequence[Past],
+    gone: int,
 ) -> Enumerated:
     """One that remembers the same."""
     matcher = recipe[0](plans, *recipe[1:]) if isinstance(recipe, tuple) else recipe
     growing = Enumerated(plans, matcher, capability, most_missed)
-    growing._pasts = deque(pasts, LAG + 1)
+    growing._pasts, growing._gone = deque(pasts, LAG + 1), gone
     return growing

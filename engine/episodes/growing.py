@@ -25,7 +25,8 @@ class Step(NamedTuple, Generic[S]):
     ``missed`` are the leaves that must come before ``leaf`` and went unseen, ``weight`` is the likelihood of what the
     observation is taken for (1.0 when certain). ``is_theirs``: the plan itself says that this step is the agent's who
     took it (``by(Who, …)``), whoever's goal it is. ``settled`` are the arguments of the leaf that were parameters of
-    which nothing was known: what they are is seen for the first time.
+    which nothing was known: what they are is seen for the first time. ``part``: where `Growing.choices` counts several
+    ways as one, since all begin with the same action, the chance of that one is shared out among them.
     """
 
     state: S
@@ -34,6 +35,7 @@ class Step(NamedTuple, Generic[S]):
     weight: float = 1.0
     is_theirs: bool = False
     settled: int = 0
+    part: float = 1.0
 
 
 class Taken(NamedTuple, Generic[S]):

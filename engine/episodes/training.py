@@ -139,10 +139,10 @@ class _Counts:
         episodes = [*closed, *cut_off]
         self.episodes += len(episodes)
         served = {number for episode in episodes for number in episode.observations}
-        self._count("needless", len(seen) - len(served), len(seen))
+        self._count("needless", len(seen) - len(served), len(served))
         self._count("abandon", sum(e.outcome == "abandoned" for e in closed), len(closed))
         observed, missed = sum(e.observed for e in episodes), sum(e.missed for e in episodes)
-        self._count("missed", missed, observed + missed)
+        self._count("missed", missed, observed)
         spans = [(e.observations[0], e.observations[-1]) for e in episodes]
         begins = [first for first, _ in spans if any(a < first < b for a, b in spans)]
         self._count("begin", len(begins), sum(any(a < at <= b for a, b in spans) for at in range(1, len(seen) + 1)))

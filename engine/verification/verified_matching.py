@@ -54,6 +54,7 @@ class VerifyingMatcher(ParameterMatcher):
         self.kb, self.partner, self._earlier = kb, partner, tuple(earlier)
         self._conditions = Conditions(kb)
         self._histories: list[tuple[Done, ...]] = [in_order(earlier)]  # after each observation
+        self._gone = 0  # observations before those
         self._forget()
 
     @property
@@ -111,7 +112,7 @@ class VerifyingMatcher(ParameterMatcher):
 
         One that several values would satisfy stays open, behind the parameters, until more is known.
         """
-        chosen, moment = self.plans[plan], len(self._histories) - 1
+        chosen, moment = self.plans[plan], self._gone + len(self._histories) - 1
         width = len(chosen.variables)
         values, waiting = binding[:width], list[Any](binding[width:])
         for number, is_past in due:
@@ -121,7 +122,10 @@ class VerifyingMatcher(ParameterMatcher):
         while waiting and values != before:  # what one settles another may need
             before, still = values, list[Any]()
             for number, then in waiting:
-                history = self._histories[then] if then <= moment else self._after(observation)
+                if 0 < then < self._gone:  # what had happened by then is not known any more
+                    still.append((number, then))
+                    continue
+                history = self._histories[max(then - self._gone, 0)] if then <= moment else self._after(observation)
                 answer = self._conditions.ask(chosen.conditions[number].term, bindings_of(chosen, values), history)
                 if isinstance(answer, Refusal):
                     return Refused(answer.reasons)
@@ -151,11 +155,14 @@ class VerifyingMatcher(ParameterMatcher):
         """How often the knowledge base has changed."""
         return self.kb.changes
 
-    def of(self, agent: str | None, past: Sequence[Done]) -> VerifyingMatcher:
-        """The matcher for an agent (None: the partner) after this past; what was asked of the partner is shared."""
+    def of(self, agent: str | None, pasts: Sequence[Sequence[Done]], gone: int = 0) -> VerifyingMatcher:
+        """The matcher for an agent (None: the partner); what was asked of the partner is shared.
+
+        ``pasts`` are what was done before each observation since the first ``gone`` ones, and before the next.
+        """
         other = object.__new__(VerifyingMatcher)
         other.__dict__.update(self.__dict__)
-        other._histories = [tuple(past)]
+        other._histories, other._gone = [tuple(past) for past in pasts], gone
         if self.looks_back or agent not in (None, self.partner):
             other._answers = {}
         other.partner = self.partner if agent is None else agent

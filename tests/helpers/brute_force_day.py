@@ -81,7 +81,7 @@ def _after(growing, prices, before, seen, agent, counts):
         for instance, weight in zip(group, weights):
             for step in growing.steps(instance.state, seen, agent):
                 each = (1 - prices.begin) * weight / sum(weights) / max(1, growing.choices(instance.state))
-                each *= step.weight * prices.missed**step.missed * settled**step.settled
+                each *= step.weight * step.part * prices.missed**step.missed * settled**step.settled
                 each *= 1.0 if step.is_theirs else factor
                 rest = tuple(other for other in before.open if other is not instance)
                 touched = counts.get(agent, 0) + 1 if instance.owner == agent else instance.touched
@@ -91,7 +91,7 @@ def _after(growing, prices, before, seen, agent, counts):
         state = growing.begin(goal)
         for step in growing.steps(state, seen, agent):
             each = (prices.begin if own else 1.0) / len(growing.goals) / max(1, growing.choices(state))
-            each *= step.weight * prices.missed**step.missed * settled**step.settled
+            each *= step.weight * step.part * prices.missed**step.missed * settled**step.settled
             number = 1 + max((n for n in before.story if n is not None), default=-1)
             grown = Open(number, goal, step.state, agent, counts.get(agent, 0) + 1)
             yield _taken(growing, before, before.open, grown, each)

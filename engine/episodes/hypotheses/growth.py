@@ -147,8 +147,8 @@ class Grower(Generic[S]):
         missed, settled = self._prices.missed, self._prices.settled
         found: dict[S, list[Any]] = {}  # goal, factor, the largest part of it, its step and the entry that took it
         for goal, share, step, source in steps:
-            state, skipped, _, weight, _, fresh = step
-            factor = share * weight * missed**skipped * settled**fresh
+            state, skipped, _, weight, _, fresh, part = step
+            factor = share * weight * missed**skipped * settled**fresh * part
             known = found.get(state)
             if known is None:
                 found[state] = [goal, factor, factor, step, source]

@@ -10,7 +10,8 @@ equal states are one step, with the fewest misses.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Sequence
+from collections import Counter
+from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from casper.engine.collaboration.collaboration import CollaborativePlan, longest_run
@@ -105,7 +106,7 @@ class Networks:
         self._goals = [(label, inward(term, {})) for label, term in goals]
         self.was_cut = False
         self._growths: dict[tuple[str, Any, str | None, int], Growth] = {}
-        self._choices: dict[Hashable, int] = {}  # by rest
+        self._choices: dict[Hashable, Counter[Indicator]] = {}  # by rest
         self._least: dict[Hashable, int] = {}
         self._derived: dict[tuple[State, tuple[Compound, ...]], Done | None] = {}
 
@@ -148,17 +149,27 @@ class Networks:
 
     def steps(self, state: State, seen: Seen, agent: str | None) -> Sequence[Step[State]]:
         """Every way in which the instance can take the observation, each state once."""
-        found: dict[tuple[State, float], Step[State]] = {}
+        found: list[Step[State]] = []
         try:
             for option, likelihood in options_of(seen):
+                ways: dict[State, Step[State]] = {}
                 for step in self._option_steps(state, option, agent or self.partner):
-                    key = step.state, likelihood
-                    if key not in found or found[key].missed > step.missed:
-                        found[key] = step._replace(weight=likelihood)
+                    if step.state not in ways or ways[step.state].missed > step.missed:
+                        ways[step.state] = step
+                found += self._shared_out(state, option, likelihood, ways.values())
         except RecursionError:
             label = self._goals[state.goal][0]
             raise PlanError(f"the plans of {label} are nested too deeply to be grown") from None
-        return list(found.values())
+        return found
+
+    def _shared_out(
+        self, state: State, option: Observation, likelihood: float, ways: Collection[Step[State]]
+    ) -> Iterator[Step[State]]:
+        """The ways, each with its part of the chance of the leaves that `choices` counts for them."""
+        counted = sum(count for (name, _), count in self._next(state).items() if name == option.action)
+        alike = Counter([step.missed for step in ways])
+        for step in ways:
+            yield step._replace(weight=likelihood, part=min(1.0, max(1, counted) / alike[step.missed]))
 
     def _option_steps(
         self, state: State, option: Observation, agent: str | None, noted: list[str] | None = None
@@ -233,6 +244,10 @@ class Networks:
 
     def choices(self, state: State) -> int:
         """How many leaves could come next without a miss: open actions, and names that open tasks begin with."""
+        return sum(self._next(state).values())
+
+    def _next(self, state: State) -> Mapping[Indicator, int]:
+        """By name and arity how many leaves could come next: a name that open tasks begin with is one leaf."""
         key = key_of(state.rest)
         known = self._choices.get(key)
         if known is None:
@@ -241,7 +256,9 @@ class Networks:
             found: set[Any] = set()
             names: set[Indicator] = set()
             self.methods.add_first(state.rest, found, names)
-            known = self._choices[key] = len(found) + len(names - {indicator(action) for action in found})
+            known = Counter(map(indicator, found))
+            known.update(names.difference(known))
+            self._choices[key] = known
         return known
 
     def is_done(self, state: State) -> bool:

@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 from tellers import Counting
 
 from casper.engine.domain.domain import Domain
+from casper.engine.episodes.enumerated import Enumerated
+from casper.engine.reading.reading import nobody_can
 from casper.engine.verification.observation import Observation
 from casper.engine.verification.verified_matching import VerifyingMatcher
 from casper.kb.base import KnowledgeBase
@@ -114,6 +116,8 @@ def test_what_some_values_allow_is_taken_and_what_all_refuse_is_not(text, seen):
     for observation in seen:
         counting.observe(observation)
     listed = any(node[1][3] == 0 for plans, nodes in counting.level.counts.items() if plans for node in nodes)
+    enumerated = Enumerated(library.ways, VerifyingMatcher(library.ways, kb, "ann"), nobody_can, most_missed=0)
+    assert bool(states_after(enumerated, seen, "ann")) == listed
     if expected:
         assert states and listed
     elif not any(state.open for state in states):  # what is open is not known yet, and unknown is not no
