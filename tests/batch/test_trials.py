@@ -108,6 +108,20 @@ def test_a_worker_that_dies_is_told_and_what_was_finished_is_kept(alone, tmp_pat
     assert json.loads(journal.read_text().splitlines()[1])["trial"] == TRIALS[0]
 
 
+def test_a_worker_with_another_program_is_refused(alone):
+    with pytest.raises(CasperError, match="a worker has another version of casper"):
+        running._work("another", running.work_on, None, [])
+
+
+def test_two_runs_do_not_write_to_one_journal(tmp_path):
+    pytest.importorskip("fcntl", reason="there are no such locks on this system")
+    first = running._journal(tmp_path / "trials.jsonl", Domain.load("minimal"))
+    with pytest.raises(CasperError, match="another run that is under way writes to"):
+        run_trials("minimal", [], journal=tmp_path / "trials.jsonl")
+    first.close(finished=False)
+    assert run_trials("minimal", [], journal=tmp_path / "trials.jsonl") == []
+
+
 def test_settings_are_changed_in_a_copy_alone():
     kitchen = Domain.load("kitchen")
     other = altered(kitchen, {"sensor.noise": 0.06, "human.walk_speed": 0.9, "tracking.steady": False})

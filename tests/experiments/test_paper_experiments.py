@@ -20,7 +20,7 @@ from casper.kb.errors import CasperError
 
 ASKED = Asked(Domain.load("kitchen"))
 GOLDEN = Path(__file__).parents[1] / "golden"
-PAGE = Path(__file__).parents[2] / "docs" / "paper.md"
+DOCS = Path(__file__).parents[2] / "docs"
 
 
 def worked(name: str, found=()) -> Data:
@@ -61,7 +61,7 @@ def test_the_plans_are_the_papers():
 def trial(goal, seed, **told):
     told = {"right": True, "predicted": goal, "helped": True, "prediction_time": 10.0, "partner_finished": 30.0, **told}
     rest = {"observed": 1, "missed": 0, "waiting": 1, "planned": 2, "wrong_announcements": 0, "wrong_interventions": []}
-    return {"trial": {"goal": goal, "seed": seed}, "gave_up": None, "help_ended": True, "least_distance": None, "mistake": None, **rest, **told}
+    return {"trial": {"goal": goal, "seed": seed}, "gave_up": None, "help_ended": True, "ended": None, "least_distance": None, "mistake": None, **rest, **told}
 
 
 def test_the_kitchen_table_has_the_means_of_each_goal():
@@ -187,14 +187,16 @@ def test_what_cannot_be_drawn_is_told(tmp_path, text):
 # --- the page of this repository ------------------------------------------------------------------------------------
 
 
-PARTS = re.findall(r"<!-- experiment (\w+) -->\n.*?<!-- experiment \w+: end -->", PAGE.read_text(), re.DOTALL)
+def parts_of(page: str) -> list[str]:
+    text = (DOCS / f"{page}.md").read_text()
+    return re.findall(r"<!-- experiment (\w+) -->\n.*?<!-- experiment \w+: end -->", text, re.DOTALL)
 
 
-@pytest.mark.parametrize("name", PARTS)
-def test_the_page_is_what_its_data_say_and_is_not_typed(name):
-    part = block(EXPERIMENTS[name], read_data(PAGE.parent / "paper", name), "paper/")
-    assert part in PAGE.read_text()
+@pytest.mark.parametrize(("page", "name"), [(page, name) for page in ("paper", "studies") for name in parts_of(page)])
+def test_a_page_is_what_its_data_say_and_is_not_typed(page, name):
+    part = block(EXPERIMENTS[name], read_data(DOCS / page, name), f"{page}/")
+    assert part in (DOCS / f"{page}.md").read_text()
 
 
 def test_the_page_has_all_of_the_paper():
-    assert [experiment.name for experiment in KITCHEN] == PARTS[: len(KITCHEN)]
+    assert [experiment.name for experiment in KITCHEN] == parts_of("paper")

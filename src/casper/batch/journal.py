@@ -53,13 +53,14 @@ class Journal:
             differs, advice: what may be another run's, and what to do then, for the sentence that refuses it.
 
         Raises:
-            CasperError: it belongs to another run, or the file cannot be read or written.
+            CasperError: it belongs to another run, one that is under way uses it, or it cannot be read or written.
         """
         self.file, self.done = file, dict[Any, Result]()
         self._key, self._refusal = key, f"is the journal of another run ({differs}); {advice}"
         try:
-            whole = self._read(header) if file.exists() else 0
-            self._out: IO[bytes] = file.open("r+b" if file.exists() else "w+b")
+            self._out: IO[bytes] = os.fdopen(os.open(file, os.O_RDWR | os.O_CREAT, 0o666), "r+b")
+            self._lock()
+            whole = self._read(header)
             self._out.truncate(whole)
             self._out.seek(whole)
             if not whole:
@@ -67,11 +68,25 @@ class Journal:
         except OSError as mistake:
             raise CasperError(f"cannot keep the journal {file} ({mistake.strerror or mistake})") from None
 
+    def _lock(self) -> None:
+        """Keep other processes from writing to it, where the system can; the lock goes with the process."""
+        try:
+            import fcntl
+
+            fcntl.flock(self._out, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            self._out.close()
+            sentence = f"another run that is under way writes to {self.file}"
+            raise CasperError(f"{sentence}; wait for it, or write to another place") from None
+        except (ImportError, OSError):
+            return  # no such locks here; two runs at once are then the user's care
+
     def _read(self, header: Mapping[str, Any]) -> int:
         """Take in what is there; how many bytes of it are whole."""
         whole = 0
         for line, value in _whole_lines(self.file):
             if not whole and value != header:
+                self._out.close()
                 raise CasperError(f"{self.file} {self._refusal}")
             if whole:
                 self.done[self._key(value)] = value

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.kb.errors import CasperError, DomainError
-from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, as_term
 
 if TYPE_CHECKING:
     from casper.sim_adapter.trial import Trial, TrialSettings
 
 FIGURES = (
+    "behaves",
     "right",
     "predicted",
     "prediction_time",
@@ -33,18 +32,19 @@ FIGURES = (
     "seconds",
     "least_distance",
     "speed_there",
+    "ended",
 )
 """The columns of `judged`; units are seconds, metres and metres a second.
 
-right: the goal, or every goal, was read; predicted, prediction_time, observed, missed, waiting, planned: the paper's,
-of the goal committed to last. helped: the robot's part is physically finished; gave_up: why it ended without that, if
-the robot said so; help_ended: whether everything that was announced was done, or given up for a reason that was told.
-wrong_announcements: how often a goal was announced that the partner never had;
-wrong_interventions: what the robot did, or began, that is no step of theirs. partner_finished: when the last action of
-their own was over; seconds: when the trial was. least_distance and speed_there: how near the robot came to a person
-while it moved, and how fast it was there; None where nobody measured it.
+behaves: in which ways the partner is out of the ordinary. right: the goals that were read are those they pursued;
+predicted, prediction_time, observed, missed, waiting, planned: the paper's, of the goal committed to last. helped: the
+robot's part is physically finished; gave_up: why it ended without that, if the robot said so; help_ended: whether
+everything that was announced was done, or given up for a reason that is true. wrong_announcements: how often a goal was
+announced that the partner never had; wrong_interventions: what the robot took hold of for a step that was left to be
+done of no goal they had (`casper.sim_adapter.truth`). partner_finished: when the last action of their own was over;
+seconds: when the trial was. least_distance and speed_there: how near the robot came to a person while it moved, and how
+fast it was there; None where it never did. ended: why the trial broke off, where the simulation had to.
 """
-_BEGUN = ("done", "failed", "stopped")
 
 
 def trial_settings(given: Mapping[str, Any]) -> TrialSettings:
@@ -82,35 +82,26 @@ def judged(domain: Domain, settings: TrialSettings) -> dict[str, Any]:
 
 def _judged(trial: Trial, events: list[Event]) -> dict[str, Any]:
     told = events[-1].data
-    steps, goals = _theirs(trial)
+    robot, truth = told["robot"], told["truth"]
+    pursuits = [pursuit for partner in trial.partners.values() for pursuit in partner.pursuits]
+    goals = {goal for pursuit in pursuits for goal in pursuit.stretch.goals}
     announced = [event.data["goal"] for event in events if event.type == "prediction"]
-    robot = [event.data for event in events if event.type == "robot"]
-    begun = {data["action"] for data in robot if data["status"] in _BEGUN}
-    reasons = [data.get("reason", "") for data in robot if data["status"] == "failed"]
-    helped, truth = bool(told["robot"]["done"]), told.get("truth") or {}
-    withdrawn = sum(event.type == "withdrawn" for event in events)
+    failures = [event.data for event in events if event.type == "robot" and event.data["status"] == "failed"]
+    reasons = robot.get("gave_up") or [data.get("reason", "") for data in failures]
+    helped = bool(robot["done"])
     return {
-        "right": bool(truth.get("right", told["correct"])),
-        **{name: told[name] for name in FIGURES[1:7]},
+        "behaves": " and ".join(trial.behaviours) or None,
+        "right": bool(truth["right"]),
+        **{name: told[name] for name in FIGURES[2:8]},
         "helped": helped,
         "gave_up": None if helped or not reasons else "; ".join(dict.fromkeys(reasons)),
-        "help_ended": bool(truth.get("help_ended", helped or bool(reasons) or withdrawn)),
+        "help_ended": bool(truth["help_ended"]),
         "wrong_announcements": sum(not goals.issuperset(goal.split(" + ")) for goal in announced),
-        "wrong_interventions": truth.get("wrong_interventions", sorted(begun - steps)),
-        "withdrawn": withdrawn,
+        "wrong_interventions": list(truth["wrong_interventions"]),
+        "withdrawn": sum(event.type == "withdrawn" for event in events),
         "partner_finished": told["partner_finished"],
         "seconds": events[-1].t,
-        "least_distance": told["robot"].get("least_distance"),
-        "speed_there": told["robot"].get("speed_at_least_distance"),
+        "least_distance": robot.get("least_distance"),
+        "speed_there": robot.get("speed_then"),
+        "ended": told.get("ended"),
     }
-
-
-def _theirs(trial: Trial) -> tuple[set[str], set[str]]:
-    """The steps of all partners, as texts, and their goals."""
-    pursuits = [pursuit for partner in trial.partners.values() for pursuit in partner.pursuits]
-    actions = (s.action for pursuit in pursuits for s in pursuit.script if s.action is not None)
-    return _texts(actions), {goal for pursuit in pursuits for goal in pursuit.stretch.goals}
-
-
-def _texts(actions: Iterable[Compound]) -> set[str]:
-    return {term_text(as_term(action)) for action in actions}

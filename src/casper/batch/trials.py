@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import nullcontext
 from functools import cache, partial
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from casper.batch.backends import check_jobs, results
 from casper.batch.journal import Journal
@@ -16,9 +16,10 @@ from casper.batch.many import CLUSTER_WORKERS
 from casper.batch.progress import bar, quiet
 from casper.batch.rows import Row
 from casper.batch.tasks import TRIAL, Result
-from casper.batch.workers import chunks_of, job_of, work_on
+from casper.batch.workers import Job, chunks_of, job_of, work_on
 from casper.engine.domain.digest import digest
 from casper.engine.domain.domain import Domain
+from casper.kb.errors import CasperError
 
 FORMAT = 1
 
@@ -47,8 +48,8 @@ def run_trials(
         ``mistake``: None, or why there is nothing else.
 
     Raises:
-        CasperError: a cluster or a journal that cannot be used, a journal of another domain or version of casper, or a
-            worker that died. What was finished until then is in the journal.
+        CasperError: a cluster or a journal that cannot be used, a journal of another domain or version of casper, a
+            worker that has another version or died. What was finished until then is in the journal.
     """
     check_jobs(jobs)
     loaded = domain if isinstance(domain, Domain) else Domain.load(domain)
@@ -56,7 +57,7 @@ def run_trials(
     kept = None if journal is None else _journal(Path(journal), loaded)
     done: dict[str, Result] = {} if kept is None else kept.done
     left = [Row(at, {TRIAL.key: json.loads(name)}) for at, name in enumerate(wanted, 1) if name not in done]
-    work = partial(work_on, job_of(TRIAL.name, loaded, {}))
+    work = partial(_work, code(), work_on, job_of(TRIAL.name, loaded, {}))
     try:
         chunks = chunks_of(left, CLUSTER_WORKERS if cluster else jobs, TRIAL.together)
         shown = bar(len(wanted), len(wanted) - len(left), "trials") if progress and left else nullcontext(quiet)
@@ -72,6 +73,16 @@ def run_trials(
         if kept is not None:
             kept.close(finished=False)
     return [done[name] for name in map(name_of, trials)]
+
+
+Work: TypeAlias = Callable[[Job, Sequence[Row]], list[Result]]
+
+
+def _work(program: str, work: Work, job: Job, rows: Sequence[Row]) -> list[Result]:
+    """Runs in a worker, which must have the same program: otherwise the table would depend on where it was made."""
+    if code() != program:
+        raise CasperError("a worker has another version of casper; install the same one there and run it again")
+    return work(job, rows)
 
 
 def _without(found: Result) -> Result:

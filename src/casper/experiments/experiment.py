@@ -84,7 +84,8 @@ class Experiment:
         says: its part of a page, as Markdown: the paper's number, ours, the reason for a difference.
         figures: what draws each of its figures, by the figure's name.
         trials: all that it will ask for, so that several experiments can share one run.
-        needs: libraries beside the simulator's, with the extra that brings them.
+        needs: libraries, with the extra that brings each; matplotlib, and MuJoCo where there are trials, go without
+            saying.
     """
 
     name: str

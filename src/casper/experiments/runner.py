@@ -20,7 +20,6 @@ from casper.kb.errors import CasperError
 
 JOURNAL = "trials.jsonl"
 PAGE = "paper.md"
-NEEDS = {"mujoco": "sim", "matplotlib": "plot"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +54,7 @@ def run_experiments(
     chosen = named(names)
     asked = _asked(trials, seed)
     check_jobs(where.jobs)
-    _check_libraries(chosen, where.redraw)
+    _check_libraries(chosen, asked, where.redraw)
     check_folder(where.out)
     if where.page is not None:
         check_folder(where.page.parent)
@@ -78,9 +77,11 @@ def _asked(trials: int | None, seed: int) -> Asked:
     return Asked(Domain.load("kitchen"), trials, seed)
 
 
-def _check_libraries(chosen: Sequence[Experiment], redraw: bool) -> None:
-    needed = {name: extra for experiment in chosen for name, extra in experiment.needs.items()} | NEEDS
-    for module, extra in {"matplotlib": "plot"}.items() if redraw else needed.items():
+def _check_libraries(chosen: Sequence[Experiment], asked: Asked, redraw: bool) -> None:
+    needed = {"matplotlib": "plot"}
+    for experiment in () if redraw else chosen:
+        needed |= {**experiment.needs, **({"mujoco": "sim"} if experiment.trials(asked) else {})}
+    for module, extra in needed.items():
         if find_spec(module) is None:
             raise CasperError(f"this needs {module}, which is not installed: pip install 'casper-hri[{extra}]'")
 

@@ -111,4 +111,5 @@ FOCUS_OF_LUNCH = Experiment(
     work,
     says,
     {"focus": focus_figure},
+    needs={"mujoco": "sim"},
 )

@@ -85,5 +85,5 @@ MOVEMENTS = Experiment(
     work,
     says,
     {"tree": tree_figure, "confusion": confusion_figure},
-    needs={"sklearn": "train"},
+    needs={"mujoco": "sim", "sklearn": "train"},
 )

@@ -9,12 +9,12 @@ from casper.experiments.experiment import Asked, Data, Experiment, Ran, Row, Tri
 from casper.experiments.figures.certainty import certainty_figure
 from casper.experiments.studies.conditions import FACTORS
 from casper.experiments.trials import counted, flat, trials_of
+from casper.sim_adapter.partners.behaviours.table import MIXED
 
 TRIALS = 30
 VALUES = (0.0, 0.9, 0.98, 0.995)
 """With actions recognised at .9 these ask for one, two, three and four of them (`engine.collaboration.acting`)."""
-PARTNER = "changes their mind"
-HARD = FACTORS["partner"][PARTNER]
+HARD = FACTORS["partner"][MIXED]
 """Who is watched: of a plain partner hardly anything is ever announced in vain."""
 
 
@@ -27,7 +27,7 @@ def work(asked: Asked, ran: Ran) -> Data:
     """A row a value."""
     rows = [flat(row) for row in ran(trials(asked))]
     summary = [_row(value, [row for row in rows if row["certainty"] == value]) for value in VALUES]
-    about = {"trials a value": asked.count(TRIALS), "first seed": asked.seed, "partner": PARTNER}
+    about = {"trials a value": asked.count(TRIALS), "first seed": asked.seed, "partner": MIXED}
     return Data("certainty", about, summary, rows)
 
 

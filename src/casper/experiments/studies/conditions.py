@@ -9,6 +9,7 @@ from typing import Any
 
 from casper.experiments.experiment import Asked, Trial
 from casper.experiments.trials import trials_of
+from casper.sim_adapter.partners.behaviours.table import MIXED, NAMES, PLAIN
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,10 +22,7 @@ class Level:
 
 CHEAP = {"sensor.noise": 0.04, "sensor.drop": 0.3, "sensor.hold_misread": 0.1, "sim.period": 0.2}
 FACTORS: Mapping[str, Mapping[str, Level]] = {
-    "partner": {
-        "plain": Level(),
-        "changes their mind": Level({"changes_mind": True}),
-    },
+    "partner": {name: Level({"partner": name} if name != PLAIN else {}) for name in NAMES},
     "sensor": {
         "as it is": Level(),
         "3 cm noise": Level({}, {"sensor.noise": 0.03}),
@@ -80,14 +78,12 @@ def usual(factor: str) -> str:
 
 
 def one_at_a_time() -> Iterator[Condition]:
-    """How the kitchen is, every other level of each factor with all others as they are, and partners unverified."""
+    """How the kitchen is, every other level of each factor beside that, and mixed partners without verification."""
     base = {factor: usual(factor) for factor in FACTORS}
     yield Condition(base)
     for factor, levels in FACTORS.items():
         yield from (Condition({**base, factor: level}) for level in levels if level != usual(factor))
-    for partner in FACTORS["partner"]:
-        if partner != usual("partner"):
-            yield Condition({**base, "partner": partner, "verification": "off"})
+    yield Condition({**base, "partner": MIXED, "verification": "off"})
 
 
 def crossed() -> Iterator[Condition]:
