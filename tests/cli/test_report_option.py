@@ -24,3 +24,12 @@ def test_watched_world_states_make_a_page_too(casper, tmp_path):
     data = json.loads(written[1])
     assert data["events"] == told.json
     assert data["states"]["t"] == [1.0, 2.0, 3.0]
+
+
+def test_what_is_missing_for_a_view_or_a_recording_is_told_before_anything_is_simulated(casper, monkeypatch):
+    monkeypatch.setattr("casper.rrd.writing.find_spec", lambda name: None)
+    told = casper("run", "kitchen", "--rerun", "run.rrd")
+    assert (told.code, told.out) == (2, "")
+    assert told.err == "casper: this needs rerun-sdk, which is not installed: pip install 'casper-hri[rerun]'\n"
+    told = casper("watch", "kitchen", "--rerun", "run.mp4")
+    assert (told.code, told.err) == (2, "casper: a recording for Rerun is written as .rrd, such as run.rrd, not as run.mp4\n")
