@@ -28,7 +28,6 @@ from casper.cli.terminal.options import (
 
 if TYPE_CHECKING:
     from casper.engine.events import Event
-    from casper.sim_adapter.eye.viewer import check_screen, viewing
     from casper.sim_adapter.trial import Trial
     from casper.streams.recordings.writing import Writer
 
@@ -115,6 +114,7 @@ def run(
     if video is not None:
         _without_a_screen()
     from casper.sim_adapter.eye.film import check_film, filming
+    from casper.sim_adapter.eye.viewer import check_screen, viewing
     from casper.sim_adapter.trial import Trial, TrialSettings
 
     day = (",".join(goal) if goal else None, seed, not no_verification, not no_robot, policy, noise, goals)
