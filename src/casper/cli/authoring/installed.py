@@ -20,6 +20,7 @@ PURPOSES: Mapping[str, str] = {
     "": "everything but what is below",
     "sim": "casper run; examples in a room",
     "video": "casper run --video",
+    "rerun": "casper run --rerun, casper watch --rerun",
     "train": "casper train",
     "plot": "casper explain --picture",
     "tables": "casper batch with .parquet; pandas and Arrow in Python",

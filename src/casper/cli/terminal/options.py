@@ -46,6 +46,10 @@ Report = Annotated[
     Path | None,
     typer.Option("--report", metavar="FILE.html", help="Write a page to look at: what happened, played back, and why."),
 ]
+Rerun = Annotated[
+    Path | None,
+    typer.Option("--rerun", metavar="FILE.rrd", help="Record it for Rerun's viewer, on one time line (needs [rerun])."),
+]
 Quiet = Annotated[bool, typer.Option("--quiet", help="Print results only: no progress, no hints, of run the summary.")]
 SourceName = Annotated[
     str, typer.Argument(help="Where world states come from: - (standard input), a file (.gz, too), tcp://HOST:PORT.")

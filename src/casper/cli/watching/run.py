@@ -21,6 +21,7 @@ from casper.cli.terminal.options import (
     Quiet,
     Record,
     Report,
+    Rerun,
     Speed,
     Unverified,
 )
@@ -83,9 +84,13 @@ def run(
     language: Language = None,
     report: Report = None,
     record: Record = None,
+    rerun: Rerun = None,
     video: Annotated[
         Path | None, typer.Option(metavar="FILE.mp4", help="Film it, four times as fast as it was (needs [video]).")
     ] = None,
+    view: Annotated[
+        bool, typer.Option("--view", help="Watch it in MuJoCo's viewer where there is a screen, in real time.")
+    ] = False,
     quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> None:
@@ -99,6 +104,7 @@ def run(
     from casper.engine.events.timeline import Timeline
     from casper.engine.live.memory import keep_loaded
     from casper.report.writing import check_page, reporting
+    from casper.rrd.writing import check_rrd, logging
     from casper.streams.recordings.header import header_of
     from casper.streams.recordings.writing import check_recording, recording
 
@@ -108,29 +114,38 @@ def run(
     if video is not None:
         _without_a_screen()
     from casper.sim_adapter.eye.film import check_film, filming
+    from casper.sim_adapter.eye.viewer import check_screen, viewing
     from casper.sim_adapter.trial import Trial, TrialSettings
 
     day = (",".join(goal) if goal else None, seed, not no_verification, not no_robot, policy, noise, goals)
     if video is not None:
         check_film(video)
+    if view:
+        check_screen()
     if report is not None:
         check_page(report)
     if record is not None:
         check_recording(record)
+    if rerun is not None:
+        check_rrd(rerun)
     trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind, certainty, partner))
     out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
     header = header_of(loaded, language, trial.minds.choices, seed)
     keep_loaded()
     waits = progress("simulating", None, quiet or sys.stdout.isatty())
-    film = filming(trial.simulation, video)
-    with recording(record, header) as writer, film, reporting(loaded, report) as recorder, waits:
+    pace = speed or (1.0 if view else 0.0)
+    seen = filming(trial.simulation, video), viewing(trial.simulation, pace if view else None)
+    shown = reporting(loaded, report), logging(loaded, rerun)
+    with recording(record, header) as writer, seen[0], seen[1], shown[0] as page, shown[1] as log, waits:
         if not as_json and not quiet:
             show(out, timeline.open(loaded.name, seed))
         events = trial.events() if writer is None else _recorded(trial, writer)
-        if recorder is not None:
-            trial.each_step = lambda: recorder.see(trial.simulation.truth())
-            events = recorder.heard(events, trial.minds)
-        for event in paced(events, speed):
+        listeners = [listener for listener in (page, log) if listener is not None]
+        if listeners:
+            trial.each_step = lambda: [listener.see(trial.simulation.truth()) for listener in listeners]
+        for listener in listeners:
+            events = listener.heard(events, trial.minds)
+        for event in paced(events, pace):
             if as_json:
                 print_json(event.to_json())
             elif not quiet or event.type == "summary":

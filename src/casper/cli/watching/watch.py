@@ -22,6 +22,7 @@ from casper.cli.terminal.options import (
     Reconnect,
     Record,
     Report,
+    Rerun,
     SourceName,
     Stops,
     Unverified,
@@ -45,6 +46,7 @@ def watch(
     language: Language = None,
     report: Report = None,
     record: Record = None,
+    rerun: Rerun = None,
     as_json: AsJson = False,
 ) -> None:
     """Watch partners through world states from standard input, a file or a socket; a bad line is told and left out.
@@ -58,6 +60,7 @@ def watch(
     from casper.engine.live import Live, Partners
     from casper.engine.live.memory import keep_loaded
     from casper.report.writing import reporting
+    from casper.rrd.writing import logging
     from casper.streams.order.window import check_window, usual_window
     from casper.streams.recordings.header import header_of
     from casper.streams.recordings.writing import check_recording, recording
@@ -77,12 +80,13 @@ def watch(
     seconds = usual_window(stream.is_live) if window is None else window
     out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
     keep_loaded()
-    with recording(record, header_of(loaded, language, chosen)) as writer, reporting(loaded, report) as recorder:
+    written = recording(record, header_of(loaded, language, chosen))
+    with written as writer, reporting(loaded, report) as page, logging(loaded, rerun) as log:
         events = watched(live, stream.items(), reload, seconds, writer)
         for event in events if writer is None else writer.heard(events):
-            if recorder is not None:
-                recorder.see(live.mind.tracker.latest)
-                recorder.take(event, live.mind)
+            for listener in (listener for listener in (page, log) if listener is not None):
+                listener.see(live.mind.tracker.latest)
+                listener.take(event, live.mind)
             if as_json:
                 print_json(event.to_json())
             else:
