@@ -20,7 +20,7 @@ from casper.engine.events import Event
 from casper.engine.reading.underway import FINISHED, UNCLEAR
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.sim_adapter.helping import Helper
+from casper.sim_adapter.helping import Helper, Task
 from casper.sim_adapter.partners.partner import Partner
 from casper.sim_adapter.simulation import Simulation
 
@@ -112,6 +112,7 @@ class Truth:
         self.records = {name: Record(partner) for name, partner in partners.items()}
         self.wrong_interventions: list[str] = []
         self._grasped: tuple[int, str | None] = (0, None)
+        self._tasks: list[Task] = []  # a period ago: one may have been withdrawn just after it was begun
 
     def see(self, told: Iterable[Event], is_end: bool = False) -> None:
         """One period more, or what was told when nobody watched any more."""
@@ -145,16 +146,18 @@ class Truth:
 
     def _look(self) -> None:
         """Whether the robot has taken hold of something, and whether it should have."""
-        robot = self.simulation.robot
-        holding = robot.holding
+        robot, tasks = self.simulation.robot, [*self.helper.tasks, *self._tasks]
+        holding, self._tasks = robot.holding, list(self.helper.tasks)
         grasped = (len(robot.done) + len(robot.failed), holding)
         if holding is None or grasped == self._grasped:
             self._grasped = grasped if holding is None else self._grasped
             return
         self._grasped = grasped
-        task = next((task for task in self.helper.tasks if task.step == robot.current), None)
+        task = next((task for task in tasks if task.step == robot.current), None)
         if task is None:
-            return  # it brings back what it had taken
+            told = f"{robot.current}, which nobody asked for any more, at {self.simulation.time:.1f} s"
+            self.wrong_interventions.append(told)
+            return
         record, action = self.records[task.mind.partner], _text(task.action)
         made = record.help.get((_goal(task), action))
         kept = made is not None and made.promised and made.outcome in OPEN
@@ -199,7 +202,7 @@ def _reported(record: Record, data: Mapping[str, Any]) -> None:
             help_.outcome, help_.because = status, f"{action} was not done before: {data.get('reason', '')}"
 
 
-def _goal(task: Any) -> str:
+def _goal(task: Task) -> str:
     made = task.supervisor.commitment
     return "" if made is None else str(made.goal)
 

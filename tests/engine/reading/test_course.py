@@ -108,6 +108,18 @@ def test_what_the_robot_failed_in_and_nobody_did_is_unclear():
     assert told(seen(day, "slice"), "episode") == [("episode", "tea", "unclear")]
 
 
+def test_steps_of_a_goal_that_is_come_back_to_may_have_gone_unseen():
+    day = course()
+    seen(day, "boil", "slice", "drink")
+    assert rows(day) == [] and day.helped[0].explanation.missed == 1
+
+
+def test_a_step_of_a_goal_that_is_over_takes_up_none_that_was_given_up():
+    day = course("goal(g). g --> a, b, wipe. goal(h). h --> c, wipe.", can=())
+    assert told(seen(day, "a", "c", "wipe"), "episode") == [("episode", "g", "abandoned"), ("episode", "h", "finished")]
+    assert [e.type for e in seen(day, "wipe", after=9.0)] == ["warning"]
+
+
 def test_who_comes_back_to_a_goal_never_gave_it_up():
     day = course()
     assert told(seen(day, "boil", "slice"), "episode") == [("episode", "tea", "abandoned")]
