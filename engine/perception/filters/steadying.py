@@ -22,6 +22,7 @@ HOLDS = 0.3  # the share from which something is in the hand: in the middle of a
 LEAST_NOISE = 0.01  # metres
 PAUSE = 60.0  # seconds without a world state after which nothing more is told until the next
 LOOKS = 0.3  # seconds around a moment whose headings count
+AROUND = 8 * LOOKS  # what is farther away counts for nothing
 
 
 @dataclass
@@ -186,8 +187,12 @@ class Steadier:
 
     def _is_known(self, person: _Person, moment: float) -> bool:
         """Seen not long before, or at both ends of a gap."""
-        before = max((t for t, _ in person.looks if t <= moment), default=-math.inf)
-        after = min((t for t, _ in person.looks if t > moment), default=math.inf)
+        before, after = -math.inf, math.inf
+        for t, _ in reversed(person.looks):
+            if t <= moment:
+                before = t
+                break
+            after = t
         return moment - before <= self.bridge or after - before <= 2 * self.bridge
 
     def _stands(self, person: _Person, x: float, y: float) -> tuple[float, float]:
@@ -244,7 +249,9 @@ def _told_if_carried(noise: float) -> float:
 def _heading(person: _Person, moment: float) -> float:
     """The mean of the headings around a moment."""
     s = c = 0.0
-    for t, heading in person.looks:
+    for t, heading in reversed(person.looks):
+        if t < moment - AROUND and (s or c):
+            break
         weight = math.exp(-abs(t - moment) / LOOKS)
         s, c = s + weight * math.sin(heading), c + weight * math.cos(heading)
     return math.atan2(s, c)
