@@ -24,6 +24,8 @@ NEVER = 1e-5  # out of everybody's reach
 STAYS, BACK, ANEW = 0.85, 0.1, 0.05  # how often what may have been in a hand lies as before, is put back, or elsewhere
 SURE_FREE = 0.1  # share of being carried below which a thing lies where it seems to
 LEAST = 1e-4  # share that a model keeps
+QUIET = 5 * LEAST  # share of being carried below which nobody near means that a thing lies
+AS_USUAL = 9.0  # squared deviations from where it lies within which a detection is no news
 ELSEWHERE = 1e-7  # density (m⁻³) at or below which neither model expects a detection
 JUMPS = 3  # detections in a row where nobody could have brought it
 
@@ -98,6 +100,28 @@ class Handling:
         self.hand = self.hand.mixed(before, to_hand, gone, STEADY * dt)
         self.carried = now
         return taken, put
+
+    def lies(self, t: float, seen: ObjectState | None, noise: float) -> bool:
+        """Take in a moment at which nobody is near and it lies where it lay, if it does; the whole of `update` else.
+
+        Which of both models holds is no question then, so one of them is enough: most things, most of the time.
+        """
+        if self.carried > QUIET or self.outside:
+            return False
+        here = self.rest
+        x, y, z, variance = here
+        variance += SETTLES * (t - self.moments[-1].t)
+        if seen is not None:
+            dx, dy, dz = seen.x - x, seen.y - y, (seen.z or 0.0) - z
+            s = variance + noise
+            if dx * dx + dy * dy + dz * dz > AS_USUAL * s:
+                return False
+            k = variance / s
+            x, y, z, variance = x + k * dx, y + k * dy, z + k * dz, (1 - k) * variance
+        here = Belief(x, y, z, variance)
+        self.rest = self.hand = self.home = here
+        self.moments.append(Moment(t, (1.0, 1.0), (0.0, 0.0), self.carried, here, here, None))
+        return True
 
     def update(
         self,
