@@ -220,7 +220,9 @@ class _AgentTrack:
         if seen is None:
             self._state = self._carried_on(t, settings)
         else:
-            seen = replace(seen, holding=self._grip.update(seen.holding, settings))
+            held = self._grip.update(seen.holding, settings)
+            if held != seen.holding:
+                seen = replace(seen, holding=held)
             self._state = self._steadied(t, seen, settings)
             self._seen_at = t
         self._t = t
@@ -243,7 +245,7 @@ class _AgentTrack:
         self._n = min(self._n + 1, settings.memory) if math.hypot(dx, dy) <= settings.agent_gate else 1
         dx, dy = dx / self._n, dy / self._n
         self._velocity = (dx / dt, dy / dt)
-        return seen if self._n == 1 else replace(seen, x=before.x + dx, y=before.y + dy)
+        return seen if self._n == 1 else AgentState(before.x + dx, before.y + dy, seen.heading, seen.holding)
 
 
 class _Grip:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable
-from dataclasses import dataclass
 from math import exp, pi
+from typing import NamedTuple
 
 from casper.engine.perception.world import ObjectState
 
@@ -24,12 +24,13 @@ NEVER = 1e-5  # out of everybody's reach
 STAYS, BACK, ANEW = 0.85, 0.1, 0.05  # how often what may have been in a hand lies as before, is put back, or elsewhere
 SURE_FREE = 0.1  # share of being carried below which a thing lies where it seems to
 LEAST = 1e-4  # share that a model keeps
+QUIET = 5 * LEAST  # share of being carried below which nobody near means that a thing lies
+AS_USUAL = 9.0  # squared deviations from where it lies within which a detection is no news
 ELSEWHERE = 1e-7  # density (m⁻³) at or below which neither model expects a detection
 JUMPS = 3  # detections in a row where nobody could have brought it
 
 
-@dataclass(frozen=True, slots=True)
-class Belief:
+class Belief(NamedTuple):
     """A place, metres, and the variance of a coordinate."""
 
     x: float
@@ -39,31 +40,32 @@ class Belief:
 
     def moved(self, dx: float, dy: float, spread: float) -> Belief:
         """Elsewhere, and less sure."""
-        return Belief(self.x + dx, self.y + dy, self.z, self.variance + spread)
+        x, y, z, variance = self
+        return Belief(x + dx, y + dy, z, variance + spread)
 
     def density(self, x: float, y: float, z: float, noise: float) -> float:
         """How likely a detection there is."""
-        s = self.variance + noise
-        gap = (x - self.x) ** 2 + (y - self.y) ** 2 + (z - self.z) ** 2
-        return float(exp(-0.5 * gap / s) * (2 * pi * s) ** -1.5)
+        own_x, own_y, own_z, variance = self
+        dx, dy, dz, s = x - own_x, y - own_y, z - own_z, variance + noise
+        return float(exp(-0.5 * (dx * dx + dy * dy + dz * dz) / s) * (2 * pi * s) ** -1.5)
 
     def corrected(self, x: float, y: float, z: float, noise: float) -> Belief:
         """After a detection."""
-        k = self.variance / (self.variance + noise)
-        return Belief(
-            self.x + k * (x - self.x), self.y + k * (y - self.y), self.z + k * (z - self.z), (1 - k) * self.variance
-        )
+        own_x, own_y, own_z, variance = self
+        k = variance / (variance + noise)
+        return Belief(own_x + k * (x - own_x), own_y + k * (y - own_y), own_z + k * (z - own_z), (1 - k) * variance)
 
-    def mixed(self, other: Belief, share: float) -> Belief:
-        """One belief for two, of which the other has that share."""
-        dx, dy, dz = other.x - self.x, other.y - self.y, other.z - self.z
+    def mixed(self, other: Belief, share: float, gone: tuple[float, float] = (0.0, 0.0), wide: float = 0.0) -> Belief:
+        """One belief for two, of which the other has that share; then moved, and less sure."""
+        x, y, z, variance = self
+        other_x, other_y, other_z, other_variance = other
+        dx, dy, dz = other_x - x, other_y - y, other_z - z
         spread = share * (1 - share) * (dx * dx + dy * dy + dz * dz) / 3
-        variance = (1 - share) * self.variance + share * other.variance + spread
-        return Belief(self.x + share * dx, self.y + share * dy, self.z + share * dz, variance)
+        variance = (1 - share) * variance + share * other_variance + spread
+        return Belief(x + share * dx + gone[0], y + share * dy + gone[1], z + share * dz, variance + wide)
 
 
-@dataclass(frozen=True, slots=True)
-class Moment:
+class Moment(NamedTuple):
     """What was known at one moment: likelihoods of both models since the one before, and their shares after it."""
 
     t: float
@@ -94,10 +96,32 @@ class Handling:
         now = hand * (1 - put) + rest * taken
         to_hand, to_rest = rest * taken / now, hand * put / (1 - now)
         before = self.rest
-        self.rest = before.mixed(self.hand, to_rest).moved(0, 0, SETTLES * dt)
-        self.hand = self.hand.mixed(before, to_hand).moved(*gone, STEADY * dt)
+        self.rest = before.mixed(self.hand, to_rest, wide=SETTLES * dt)
+        self.hand = self.hand.mixed(before, to_hand, gone, STEADY * dt)
         self.carried = now
         return taken, put
+
+    def lies(self, t: float, seen: ObjectState | None, noise: float) -> bool:
+        """Take in a moment at which nobody is near and it lies where it lay, if it does; the whole of `update` else.
+
+        Which of both models holds is no question then, so one of them is enough: most things, most of the time.
+        """
+        if self.carried > QUIET or self.outside:
+            return False
+        here = self.rest
+        x, y, z, variance = here
+        variance += SETTLES * (t - self.moments[-1].t)
+        if seen is not None:
+            dx, dy, dz = seen.x - x, seen.y - y, (seen.z or 0.0) - z
+            s = variance + noise
+            if dx * dx + dy * dy + dz * dz > AS_USUAL * s:
+                return False
+            k = variance / s
+            x, y, z, variance = x + k * dx, y + k * dy, z + k * dz, (1 - k) * variance
+        here = Belief(x, y, z, variance)
+        self.rest = self.hand = self.home = here
+        self.moments.append(Moment(t, (1.0, 1.0), (0.0, 0.0), self.carried, here, here, None))
+        return True
 
     def update(
         self,
@@ -175,8 +199,8 @@ class Handling:
         ahead: Moment | None = None
         for moment in reversed(self.moments):
             if ahead is not None:
-                taken, put = ahead.change
-                r, h = ahead.likelihoods[0] * rest, ahead.likelihoods[1] * hand
+                (at_rest, in_hand), (taken, put) = ahead.likelihoods, ahead.change
+                r, h = at_rest * rest, in_hand * hand
                 rest, hand = (1 - taken) * r + taken * h, put * r + (1 - put) * h
                 top = max(rest, hand)
                 rest, hand = (rest / top, hand / top) if top > 0.0 else (1.0, 1.0)
@@ -193,5 +217,11 @@ def _likeliest(
     ways: Iterable[tuple[float, Belief]], x: float, y: float, z: float, noise: float
 ) -> tuple[float, Belief]:
     """The density of a detection over weighed beliefs, and the likeliest of them corrected by it."""
-    shares = [(share * way.density(x, y, z, noise), way) for share, way in ways]
-    return sum(share for share, _ in shares), max(shares, key=lambda pair: pair[0])[1].corrected(x, y, z, noise)
+    total, most, likeliest = 0.0, -1.0, None
+    for share, way in ways:
+        weight = share * way.density(x, y, z, noise)
+        total += weight
+        if weight > most:
+            most, likeliest = weight, way
+    assert likeliest is not None
+    return total, likeliest.corrected(x, y, z, noise)

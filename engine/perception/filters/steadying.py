@@ -10,7 +10,7 @@ import math
 from collections import deque
 from dataclasses import dataclass, field
 
-from casper.engine.perception.filters.handling import Belief, Handling
+from casper.engine.perception.filters.handling import QUIET, Belief, Handling
 from casper.engine.perception.filters.quality import Quality
 from casper.engine.perception.filters.walking import Motion, Way
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
@@ -22,6 +22,7 @@ HOLDS = 0.3  # the share from which something is in the hand: in the middle of a
 LEAST_NOISE = 0.01  # metres
 PAUSE = 60.0  # seconds without a world state after which nothing more is told until the next
 LOOKS = 0.3  # seconds around a moment whose headings count
+AROUND = 8 * LOOKS  # what is farther away counts for nothing
 
 
 @dataclass
@@ -101,7 +102,10 @@ class Steadier:
         for person in self._people.values():
             person.way.mark(t)
         for thing in self._things.values():
-            by, change = self._expect(thing, t, None, None)
+            by = self._near(thing.hand, t)
+            if by is None and thing.carried <= QUIET:
+                continue  # as at the moment before
+            change = self._expect(thing, t, by)
             thing.update(t, change, by, None, 1.0, (1.0, 1.0))
 
     def _sense(self, world: WorldState, noise: float) -> None:
@@ -118,22 +122,23 @@ class Steadier:
                 assert seen is not None
                 self._things[name] = Handling(world.t, seen, variance, 0.5 if name in holder else 0.02)
                 continue
-            by, change = self._expect(thing, world.t, holder.get(name), seen)
+            by = holder.get(name) or self._near(thing.hand if seen is None else seen, world.t)
+            if by is None and thing.lies(world.t, seen, variance):
+                continue
+            change = self._expect(thing, world.t, by)
             told = _told_of_hand(noise, by, holder.get(name), seen is not None and by in world.agents)
             if thing.update(world.t, change, by, seen, variance, told, self._place(by)):
                 self.jumps.append(name)
 
-    def _expect(
-        self, thing: Handling, t: float, holder: str | None, seen: ObjectState | None
-    ) -> tuple[str | None, tuple[float, float]]:
+    def _expect(self, thing: Handling, t: float, by: str | None) -> tuple[float, float]:
+        """Time goes by until a moment at which somebody is near; the chances of being taken and put down in it."""
         dt = t - thing.moments[-1].t
-        by = holder or self._near(thing.hand if seen is None else seen, t)
         gone = (0.0, 0.0)
         if by is not None:
             motion = self._people[by].way.last
             if motion is not None and motion.pace > _walks_from(motion):
                 gone = motion.vx * dt, motion.vy * dt
-        return by, thing.expect(dt, by, gone)
+        return thing.expect(dt, by, gone)
 
     def _place(self, name: str | None) -> tuple[float, float] | None:
         motion = None if name is None else self._people[name].way.last
@@ -186,8 +191,12 @@ class Steadier:
 
     def _is_known(self, person: _Person, moment: float) -> bool:
         """Seen not long before, or at both ends of a gap."""
-        before = max((t for t, _ in person.looks if t <= moment), default=-math.inf)
-        after = min((t for t, _ in person.looks if t > moment), default=math.inf)
+        before, after = -math.inf, math.inf
+        for t, _ in reversed(person.looks):
+            if t <= moment:
+                before = t
+                break
+            after = t
         return moment - before <= self.bridge or after - before <= 2 * self.bridge
 
     def _stands(self, person: _Person, x: float, y: float) -> tuple[float, float]:
@@ -244,7 +253,9 @@ def _told_if_carried(noise: float) -> float:
 def _heading(person: _Person, moment: float) -> float:
     """The mean of the headings around a moment."""
     s = c = 0.0
-    for t, heading in person.looks:
+    for t, heading in reversed(person.looks):
+        if t < moment - AROUND and (s or c):
+            break
         weight = math.exp(-abs(t - moment) / LOOKS)
         s, c = s + weight * math.sin(heading), c + weight * math.cos(heading)
     return math.atan2(s, c)

@@ -7,15 +7,14 @@ kept: of a detection, or one that somebody wants to know about.
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass
 from math import hypot
+from typing import NamedTuple
 
 RESTLESS = 0.3  # m²/s³: a walk of .6 m/s begins and ends within a second
 START_SPEED = 0.4  # m/s, standard deviation before anything is known
 
 
-@dataclass(frozen=True, slots=True)
-class Motion:
+class Motion(NamedTuple):
     """Where and how fast at one moment: metres, m/s, and the covariance of place and speed along one axis."""
 
     t: float
