@@ -131,16 +131,14 @@ def test_a_domain_without_goals_is_no_room_to_pursue_one(casper, tmp_path):
 
 
 def test_the_slowest_pace_is_slept_in_naps(monkeypatch):
-    import sys
-
-    import casper.cli as cli
+    from casper.cli.terminal import pacing
     from casper.engine.events import Event
 
-    module, naps = sys.modules[cli.run.__module__], []
+    naps = []
     clock = iter(range(0, 10**9, 10**6))
-    monkeypatch.setattr(module.time, "monotonic", lambda: float(next(clock)))
-    monkeypatch.setattr(module.time, "sleep", naps.append)
-    assert len(list(module._paced([Event("focus", 1.0, {})], 1e-7))) == 1
+    monkeypatch.setattr(pacing.time, "monotonic", lambda: float(next(clock)))
+    monkeypatch.setattr(pacing.time, "sleep", naps.append)
+    assert len(list(pacing.paced([Event("focus", 1.0, {})], 1e-7))) == 1
     assert set(naps) == {3600.0}
 
 
