@@ -8,11 +8,12 @@ It never ends: what a partner does is read episode after episode (`engine.readin
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import partial
 from typing import Any
 
-from casper.engine.actions.actions import action_recogniser, context_table, contextualise
+from casper.engine.actions.actions import action_recogniser
+from casper.engine.actions.contexts import Contexts
 from casper.engine.actions.prediction import Prediction
 from casper.engine.collaboration.acting import acting_settings
 from casper.engine.collaboration.supervisor import Supervisor
@@ -20,18 +21,24 @@ from casper.engine.domain.agents import check_agents
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.events.printing import Names, plan_lines, prediction_lines
+from casper.engine.movements.leaves import TIMED
 from casper.engine.movements.movements import Movement, movement_classifier
-from casper.engine.perception.about import About, Handled, about, about_nearby, are_together, beside, is_in_reach
+from casper.engine.perception.about import About, Handled, about, about_nearby
 from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, perception_settings
+from casper.engine.perception.remembering.asked import Memories
+from casper.engine.perception.remembering.memory import memory_settings
+from casper.engine.perception.told import focus_event, jumps
 from casper.engine.perception.tracking import Tracker, tracker_settings
 from casper.engine.perception.world import WorldState
 from casper.engine.reading.course import Course
 from casper.engine.reading.reading import Reading
 from casper.engine.reading.segments import Segments
+from casper.engine.reading.stating import Stating
 from casper.engine.verification.history import Done, History, history_settings
 from casper.engine.verification.observation import Observation
-from casper.engine.verification.verification import Statement, Verifier
+from casper.engine.verification.verification import Verifier
+from casper.kb.base import KnowledgeBase
 from casper.kb.reasons.validity import Verdict
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
@@ -52,6 +59,7 @@ class Mind:
         history: what was done so far today, which all minds of one world share; None: nothing.
         certainty: how sure a goal must be before the robot acts on it (`engine.collaboration.acting`); None: as the
             domain says.
+        memories: what was seen lately, shared likewise; kept where the domain's rules ask for it.
         segments: makes what says which episode an action belongs to (`engine.reading.course`); None: `BySight`.
 
     Raises:
@@ -72,6 +80,7 @@ class Mind:
         stops: bool = False,
         partner: str | None = None,
         history: History | None = None,
+        memories: Memories | None = None,
         segments: Callable[[str, Callable[[], Reading]], Segments] | None = None,
         certainty: float | None = None,
     ) -> None:
@@ -86,18 +95,27 @@ class Mind:
         self.perception = Perception(perception_settings(rows), self.partner)
         self.focus = FocusEstimator(focus_settings(rows))
         self.handled = Handled()
-        self.movements = movement_classifier(rows)
+        self.movements = movement_classifier(rows, domain.kb.clauses_of(TIMED))
         self.actions = action_recogniser(rows)
-        self.contexts = context_table(rows)
         self.history = history if history is not None else History(history_settings(rows).remembered)
-        self.verifier = Verifier(domain.kb, self.history) if verification and domain.verifies else None
+        self.memories = memories if memories is not None else Memories(memory_settings(rows))
+        self._remembers = bool(domain.kb.asks_outside)
+        seen = (lambda: self.known) if self._remembers else None
+        self.verifier = Verifier(domain.kb, self.history, seen) if verification and domain.verifies else None
         self._earlier: Sequence[Done] = ()  # what was done before the last action, as far as rules look back
         self._fresh = partial(domain.reading, **choices, partner=self.partner)
         acting, robot = acting_settings(rows, certainty), domain.robot if helps else None
         self.course = Course(self.partner, robot, self._begun, segments, stops=stops, acting=acting)
         self._known_actions = {name for name, _ in domain.library.actions}
+        asked = Contexts(domain.kb), self.history, lambda: self.known
+        self._stating = Stating(self.partner, *asked, self.verifier, self._begun, self._known_actions)
         self._refused: str | None = None  # the statement that was refused last: its verdict is told once
         self._lost: Compound | None = None  # what was told last of what is forgotten
+
+    @property
+    def known(self) -> KnowledgeBase:
+        """The domain's knowledge base with what was seen by now (`engine.perception.remembering.asked`), as a view."""
+        return self.memories.known(self.domain.kb) if self._remembers else self.domain.kb
 
     def _begun(self) -> Reading:
         """A reading in which nothing was observed, after what was done earlier."""
@@ -131,11 +149,13 @@ class Mind:
     def notice(self, world: WorldState) -> list[Event]:
         """As `update`, of a world state that a tracker has been through."""
         relations = self.perception.update(world)
+        if self._remembers:
+            self.memories.update(self.partner, world.t, relations)
         if relations is None:
             return []
         focus = self.focus.update(relations)
         movement = self.movements.update(relations, focus)
-        events = [event.about(self.partner) for event in (_focus_event(focus), _movement_event(movement))]
+        events = [event.about(self.partner) for event in (focus_event(focus), _movement_event(movement))]
         prediction = self.actions.update(movement)
         if prediction is not None:
             about = self._about(focus, world, self.handled.update(relations))
@@ -199,45 +219,19 @@ class Mind:
     def __repr__(self) -> str:
         return one_line(f"Mind that watches {self.partner} in {self.domain.name}: {self.reading!r}")
 
-    def _stated(self, prediction: Prediction, about: About, world: WorldState) -> Statement | None:
-        """What seems to have happened, put into context: at the first place where it is valid and in some plan, else at
-        the first where it is valid, or at the first.
-
-        What is in one place with that comes into question, too. Of two things in one place either may be what is
-        handled: where one way round means nothing, the other is taken. What means something at a place only is done
-        where one can reach.
-        """
-        places = [*about.places, *beside(world, about)]
-        there = [(about.target, place) for place in places if about.target is not None]
-        if any(prediction.action == action for action, _ in self.contexts):
-            there = [pair for pair in there if any(is_in_reach(world, self.partner, name) for name in pair)]
-        turned = [(place, target) for target, place in there if place and are_together(world, target, place)]
-        stated: list[Statement] = []
-        for target, place in there + turned:
-            action = contextualise(prediction.action, place, self.contexts)
-            if action is not None and ((target, place) in there or not stated):
-                stated.append(Statement(prediction.t, self.partner, action, target, place))
-        if len(stated) > 1 and self.verifier is not None:
-            valid = [s for s in stated if self.verifier.judge(s).valid] or stated[:1]
-            return next((s for s in valid if len(valid) > 1 and self._is_of_a_plan(s)), valid[0])
-        return stated[0] if stated else None
-
-    def _is_of_a_plan(self, statement: Statement) -> bool:
-        """Whether some plan has the very action."""
-        if statement.action not in self._known_actions:
-            return False
-        reading = self._begun()
-        reading.observe(Observation(statement.action, statement.term.args[1:], t=statement.t))
-        return reading.count > 0
-
     def _consider(self, prediction: Prediction, about: About, world: WorldState) -> Iterator[Event]:
         """An action seems to have happened: put it into context, verify it, and pass it on to the reading."""
-        statement = self._stated(prediction, about, world)
+        before = self._stating.doubt
+        statement = self._stating.of(prediction, about, world)
         if statement is None:
+            if self._stating.doubt not in ("", before):
+                yield Event("warning", prediction.t, {"message": self._stating.doubt})
             return  # not yet known what it means; the prediction stands, and the next step may tell
         if str(statement) == self._refused:
             return
-        yield Event("action", prediction.t, {"statement": str(statement), "score": prediction.score})
+        misread = [asdict(each) for each in self.actions.misread()]
+        data = {"statement": str(statement), "score": prediction.score, "misread": misread}
+        yield Event("action", prediction.t, data)
         observation: Observation | None
         if self.verifier is not None:
             verdict = self.verifier.judge(statement)
@@ -268,17 +262,6 @@ class Mind:
             self._lost = lost
             room = f"setting(verification, remembered, {self.history.most}) leaves no room for it"
             yield Event("warning", t, {"message": f"did/2 no longer has {term_text(as_term(lost))}: {room}"})
-
-
-def jumps(tracker: Tracker, t: float) -> list[Event]:
-    """Told of what was suddenly elsewhere."""
-    told = "is suddenly somewhere else, with nobody near who could have brought it there"
-    return [Event("warning", t, {"message": f"{name} {told}"}) for name in tracker.jumps]
-
-
-def _focus_event(focus: Focus) -> Event:
-    data = {"target": focus.target, "destination": focus.destination, "scores": dict(focus.scores)}
-    return Event("focus", focus.t, data)
 
 
 def _movement_event(movement: Movement) -> Event:

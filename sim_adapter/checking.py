@@ -13,6 +13,7 @@ from pathlib import Path
 from casper.engine.domain.check import check_domain
 from casper.engine.domain.domain import Domain
 from casper.engine.domain.relations import SCENE_RELATIONS
+from casper.engine.movements.leaves import MOVEMENTS
 from casper.kb.checks.finding import Finding, Severity, error, note, sorted_findings, warning
 from casper.kb.errors import CasperError, Place
 from casper.kb.terms.syntax import term_text
@@ -63,8 +64,8 @@ def scene_findings(domain: Domain) -> Iterator[Finding]:
 
 
 def _nothing_to_see_with(domain: Domain, place: Place) -> Iterator[Finding]:
-    for indicator, what in ((("transition", 4), "actions"), (("movement", 5), "movements")):
-        if not domain.kb.clauses_of(indicator):
+    for indicators, what in (((("transition", 4),), "actions"), (MOVEMENTS, "movements")):
+        if not any(domain.kb.clauses_of(indicator) for indicator in indicators):
             advice = 'write :- include("household.pl"). in actions.pl'
             yield error(place, f"there is a room, and nothing says how {what} are made out in it; {advice}")
 

@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import islice
 
+from casper.engine.actions.contexts import skills_of
 from casper.engine.domain.domain import Domain
 from casper.engine.episodes.networks.networks import State
 from casper.engine.verification.matching import ROBOT, Mismatch, bindings_of
 from casper.engine.verification.observation import Observation
 from casper.engine.verification.verified_matching import settle
-from casper.kb.errors import DomainError, PlanError
+from casper.kb.errors import DomainError, PlanError, Undefined
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term
 from casper.kb.terms.unification import is_ground, substitute, unify
@@ -81,8 +82,7 @@ def step_for(domain: Domain, action: Compound) -> Step:
     """The skill behind an action: what a context turns ``use`` into is a use, anything else is a skill by its name."""
     if action.arity != 2:
         raise PlanError(f"{term_text(action)} cannot be acted out: a target and a destination are needed")
-    skills = {str(meaning): str(skill) for skill, _, meaning in domain.kb.rows("context", 3)}
-    return Step(skills.get(action.functor, action.functor), str(action[1]), str(action[2]))
+    return Step(skills_of(domain.kb).get(action.functor, action.functor), str(action[1]), str(action[2]))
 
 
 def _grounded(domain: Domain, plan: Plan) -> list[Compound]:
@@ -128,14 +128,19 @@ def _grown(domain: Domain, goal: str) -> list[tuple[Compound, str | None]]:
 
 
 def _instances(domain: Domain, action: Compound, doer: str | None = None) -> Iterator[Compound]:
-    """The valid actions that an action with open parts may be."""
+    """The valid actions that an action with open parts may be; then those of which it is not known yet."""
     if is_ground(action):
         yield action
         return
     statement = Compound((action.functor, doer or domain.partner, *action.args))
-    for answer in domain.kb.instances(Compound(("valid", statement))):
-        if is_ground(answer):
-            yield Compound((action.functor, *answer[1].args[1:]))
+    try:
+        for answer in domain.kb.instances(Compound(("valid", statement))):
+            if is_ground(answer):
+                yield Compound((action.functor, *answer[1].args[1:]))
+    except Undefined:
+        for instance in domain.kb.instances(statement):
+            if is_ground(instance) and domain.kb.verify(instance).valid is None:
+                yield Compound((action.functor, *instance.args[1:]))
 
 
 def _chosen(domain: Domain, action: Compound) -> Compound:

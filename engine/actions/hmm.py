@@ -6,13 +6,14 @@ step is taken in, since the model itself does what the mode filter does for Ratc
 
 from __future__ import annotations
 
-import math
 from collections import deque
 from collections.abc import Mapping
 
-from casper.engine.actions.fsm import Fsm
+from casper.engine.actions.durations import Duration
+from casper.engine.actions.fsm import Fsm, movements_of
 from casper.engine.actions.hmm_model import HmmModel
-from casper.engine.actions.prediction import ActionSettings, Prediction
+from casper.engine.actions.misread import Trail
+from casper.engine.actions.prediction import ActionSettings, Misread, Prediction
 from casper.engine.movements.movements import Movement, MovementFilter
 from casper.engine.settings import Rows, number, require
 from casper.kb.errors import DomainError
@@ -22,6 +23,7 @@ _NEGLIGIBLE = 1e-7
 SURE = 0.65  # the share from which a loop is surely going on
 ROUNDS = 0.3  # of the mean time of its movements together for which it must
 SMOOTHED = 0.5  # of what is taken wrongly a step at a time is right with what came later known
+LEAST = 1e-3  # likelihood of a movement of which nothing was learned
 SHOWN = 100  # movements of the window that is shown: of hours without an action only the last
 
 
@@ -63,7 +65,13 @@ class HmmRecogniser:
         DomainError: at construction, for an action without a cycle.
     """
 
-    def __init__(self, settings: ActionSettings, fsms: tuple[Fsm, ...], emission: Emission) -> None:
+    def __init__(
+        self,
+        settings: ActionSettings,
+        fsms: tuple[Fsm, ...],
+        emission: Emission,
+        durations: Mapping[str, Duration] | None = None,
+    ) -> None:
         require(bool(fsms), "no action has transitions, so none can be recognised")
         for fsm in fsms:
             if not fsm.cycle:
@@ -75,7 +83,13 @@ class HmmRecogniser:
             true: {seen: SMOOTHED * (seen == true) + (1 - SMOOTHED) * p for seen, p in row.items()}
             for true, row in emission.items()
         }
-        self._model = HmmModel(settings, fsms)
+        self._model = model = HmmModel(settings, fsms)
+        every = durations or {name: Duration(settings.lasts) for name in movements_of(fsms)}
+        self._distinct = list(dict.fromkeys(every.values()))
+        self._durations = [self._distinct.index(every[state.movement]) for state in model.states]  # by state
+        self._phases = max(each.phases for each in every.values())
+        self._trail = Trail(model, every)
+        self._kept: tuple[float, list[tuple[float, ...]]] | None = None
         self._filter = MovementFilter(settings.filter_window)
         self.reset()
 
@@ -83,7 +97,8 @@ class HmmRecogniser:
         """Forget everything."""
         self._filter.reset()
         self._window: deque[str] = deque(maxlen=SHOWN)
-        self._belief = dict(self._model.initial)
+        self._belief = {index * self._phases: p for index, p in self._model.initial.items()}
+        self._trail.begin(self._model.initial)
         self._t: float | None = None
         self._standing: str | None = None
         self._candidate, self._run = "", 0
@@ -99,8 +114,8 @@ class HmmRecogniser:
     def underway(self) -> Mapping[str | None, float]:
         """The probability of each action to be going on or to have happened; None stands for no action."""
         shares: dict[str | None, float] = dict.fromkeys((None, *self._fsms), 0.0)
-        for index, p in self._belief.items():
-            state = self._model.states[index]
+        for key, p in self._belief.items():
+            state = self._model.states[key // self._phases]
             shares[state.action if state.progress >= 0 else None] += p
         return shares
 
@@ -118,10 +133,7 @@ class HmmRecogniser:
         change = self._filter.update(movement)
         if change is not None:
             self._window.append(change.name)
-        if movement.shares is None:
-            self._forward(movement.t, {movement.name: 1.0}, self._emission)
-        else:
-            self._forward(movement.t, movement.shares, self._smoothed)
+        self._forward(movement)
         self._scores = self._happened()
         if movement.shares is not None:
             self._last_long(movement.t)
@@ -136,10 +148,15 @@ class HmmRecogniser:
         """Begin anew behind the standing action; what movement is going on stays believed."""
         after = self._fsms[self._standing] if self._standing is not None else None
         belief: dict[int, float] = {}
-        for index, p in self._belief.items():
-            state = self._model.after(after, self._model.states[index].movement)
+        for key, p in self._belief.items():
+            index, phase = divmod(key, self._phases)
+            state = self._model.after(after, self._model.states[index].movement) * self._phases + phase
             belief[state] = belief.get(state, 0.0) + p
         self._belief = belief
+        start: dict[int, float] = {}
+        for key, p in belief.items():
+            start[key // self._phases] = start.get(key // self._phases, 0.0) + p
+        self._trail.begin(start)
         self._window.clear()
         self._standing, self._candidate, self._run = None, "", 0
         self._going = None, 0.0
@@ -166,42 +183,63 @@ class HmmRecogniser:
         self._candidate = best
         return best if best and self._run >= self.settings.confirm else None
 
-    def _forward(self, t: float, shares: Mapping[str, float], emission: Emission) -> None:
-        """Predict with the model, weigh with the emission of what was seen, or may have been, and normalise.
+    def _forward(self, movement: Movement) -> None:
+        """Predict with the model, weigh with the likelihood of what was seen, and normalise.
 
         States of no weight are dropped.
         """
-        states, expected = self._model.states, self._predicted(t)
-        try:
-            likelihood = {
-                name: sum(row[seen] * share for seen, share in shares.items()) for name, row in emission.items()
-            }
-        except KeyError as unknown:
-            raise DomainError(f"no transition of any action knows the movement {unknown.args[0]}") from None
-        weighed = {index: p * likelihood[states[index].movement] for index, p in expected.items()}
+        states, expected, phases = self._model.states, self._predicted(movement.t), self._phases
+        likelihood = self._likelihood(movement)
+        self._trail.add(movement.t, movement.name, likelihood)
+        weighed = {key: p * likelihood[states[key // phases].movement] for key, p in expected.items()}
         total = sum(weighed.values())
         least = total * _NEGLIGIBLE
-        self._belief = {index: p / total for index, p in weighed.items() if p > least}
+        self._belief = {key: p / total for key, p in weighed.items() if p > least}
+
+    def _likelihood(self, movement: Movement) -> Mapping[str, float]:
+        """How likely what was seen is for each movement: as learned, or by the emission of what it was taken for."""
+        if movement.likelihoods is not None:
+            return {name: movement.likelihoods.get(name, LEAST) for name in self._emission}
+        shares = {movement.name: 1.0} if movement.shares is None else movement.shares
+        emission = self._emission if movement.shares is None else self._smoothed
+        try:
+            return {name: sum(row[seen] * share for seen, share in shares.items()) for name, row in emission.items()}
+        except KeyError as unknown:
+            raise DomainError(f"no transition of any action knows the movement {unknown.args[0]}") from None
 
     def _predicted(self, t: float) -> dict[int, float]:
-        """The belief before anything is seen at ``t``: movements last, or change along the arcs."""
+        """The belief before anything is seen at ``t``: movements last, phase by phase, or change along the arcs."""
         before, self._t = self._t, t
         if before is None:
             return self._belief
-        stay = math.exp(-max(t - before, 0.0) / self.settings.lasts)
-        arcs, change = self._model.arcs, 1.0 - stay
-        expected = {index: p * stay for index, p in self._belief.items()}
-        for index, p in self._belief.items():
-            moved = p * change
+        phases, arcs, passed = self._phases, self._model.arcs, self._passed(max(t - before, 0.0))
+        expected: dict[int, float] = {}
+        for key, p in self._belief.items():
+            for at, chance in enumerate(passed[key], key):
+                expected[at] = expected.get(at, 0.0) + p * chance
+        for key, p in self._belief.items():
+            moved = p * (1.0 - sum(passed[key]))
             if moved > _NEGLIGIBLE:
-                for to, chance in arcs[index]:
-                    expected[to] = expected.get(to, 0.0) + moved * chance
+                for to, chance in arcs[key // phases]:
+                    expected[to * phases] = expected.get(to * phases, 0.0) + moved * chance
         return expected
+
+    def _passed(self, dt: float) -> list[tuple[float, ...]]:
+        """By state and phase, how likely it is to be so many phases on in the same movement; kept for the next step."""
+        if self._kept is None or self._kept[0] != dt:
+            distinct = [each.passed(dt) for each in self._distinct]
+            of_states = [distinct[each] for each in self._durations]
+            self._kept = dt, [p[: max(len(p) - phase, 0)] for p in of_states for phase in range(self._phases)]
+        return self._kept[1]
+
+    def misread(self) -> tuple[Misread, ...]:
+        """Of what was seen since the last action, what was probably something else, if the standing one happened."""
+        return self._trail.misread(self._standing) if self._standing is not None else ()
 
     def _happened(self) -> dict[str, float]:
         scores = dict.fromkeys(self._fsms, 0.0)
-        complete = self._model.complete
-        for index, p in self._belief.items():
-            if (action := complete[index]) is not None:
+        complete, phases = self._model.complete, self._phases
+        for key, p in self._belief.items():
+            if (action := complete[key // phases]) is not None:
                 scores[action] += p
         return scores

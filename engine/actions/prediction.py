@@ -81,6 +81,15 @@ class Prediction:
     fresh: bool = True
 
 
+@dataclass(frozen=True, slots=True)
+class Misread:
+    """A movement that was seen at ``t`` (seconds) and later turned out to have probably been another."""
+
+    t: float
+    seen: str
+    likely: str
+
+
 class ActionRecogniser(Protocol):
     """A movement a step in, an action out while one stands.
 
@@ -99,6 +108,9 @@ class ActionRecogniser(Protocol):
 
     def update(self, movement: Movement) -> Prediction | None:
         """Take in the movement of one step."""
+
+    def misread(self) -> tuple[Misread, ...]:
+        """What was seen on the way to the standing prediction and was probably something else."""
 
     def accept(self) -> None:
         """The standing prediction happened: begin anew behind it."""

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from difflib import SequenceMatcher
 
 from casper.engine.actions.fsm import Fsm, likeliest_chain, sampled_chain
-from casper.engine.actions.prediction import ActionSettings, Prediction
+from casper.engine.actions.prediction import ActionSettings, Misread, Prediction
 from casper.engine.movements.movements import Movement, MovementFilter
 
 LONGEST = 100  # movements of the window: a longer one resembles no chain, so only its end is kept
@@ -53,6 +53,10 @@ class RatcliffRecogniser:
     def window(self) -> tuple[str, ...]:
         """The filtered movements since the last accepted action."""
         return tuple(self._window)
+
+    def misread(self) -> tuple[Misread, ...]:
+        """Nothing: similarity says of no single movement what it was."""
+        return ()
 
     def update(self, movement: Movement) -> Prediction | None:
         """Take in the movement of one step; the standing prediction, if any."""

@@ -11,6 +11,8 @@ from casper.engine.domain.check_settings import wrong_settings
 from casper.engine.domain.domain import FILES, ONTOLOGY, SHIPPED, Domain, build, find_domain
 from casper.engine.domain.examples import TESTS, examples_of, failure
 from casper.engine.domain.relations import SHARING_NAMES, SYSTEM_RELATIONS
+from casper.engine.perception.remembering.asked import ASKED
+from casper.engine.perception.remembering.checking import misread_memories
 from casper.kb.checks.check import Context, check_sentences
 from casper.kb.checks.finding import Finding, Severity, error, finding_of, sorted_findings
 from casper.kb.errors import CasperError, DomainError, Place, PlanError
@@ -47,6 +49,7 @@ def check_domain(name: str | Path) -> list[Finding]:
 
     findings += check_plans(read.everything, is_action if read.verifies else None)
     findings += wrong_settings(checked.kb)
+    findings += misread_memories((s for s in read.everything if isinstance(s, Clause)), checked.kb)
     if not any(f.severity is Severity.ERROR for f in findings):
         findings += _as_a_whole(folder, read)
     else:
@@ -115,8 +118,8 @@ def _context(read: _Read) -> Context:
     heads = {s.head.indicator for s in read.everything if isinstance(s, Clause)}
     asked = {*SYSTEM_RELATIONS, *actions, *((name, arity) for name, arity in heads if name in seen and arity > 1)}
     asked |= {clause.head.indicator for clause in _conditions(read)}
-    given: tuple[Indicator, ...] = (*RELATIONS, GOAL) if productions else ()
-    return Context(asked, [i for i in given if i not in heads], read.half_read, SHARING_NAMES)
+    given: tuple[Indicator, ...] = (*ASKED, *((*RELATIONS, GOAL) if productions else ()))
+    return Context(asked, [i for i in given if i not in heads], read.half_read, SHARING_NAMES | {*ASKED})
 
 
 def _recognised(sentences: Iterable[Sentence]) -> Iterator[str]:

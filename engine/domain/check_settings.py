@@ -12,9 +12,11 @@ from casper.engine.collaboration.acting import acting_settings
 from casper.engine.domain.agents import strangers
 from casper.engine.domain.relations import SECTIONS
 from casper.engine.episodes.prices import prices_of
+from casper.engine.movements.leaves import TIMED
 from casper.engine.movements.movements import movement_classifier
 from casper.engine.perception.focus import focus_settings
 from casper.engine.perception.perception import perception_settings
+from casper.engine.perception.remembering.memory import memory_settings
 from casper.engine.perception.tracking import tracker_settings
 from casper.engine.settings import Rows
 from casper.engine.verification.history import history_settings
@@ -27,6 +29,7 @@ _STAGES: tuple[tuple[str, int, Callable[[Rows], Any]], ...] = (
     ("setting", 3, perception_settings),
     ("setting", 3, tracker_settings),
     ("setting", 3, focus_settings),
+    ("setting", 3, memory_settings),
     ("setting", 3, action_settings),
     ("setting", 3, history_settings),
     ("setting", 3, acting_settings),
@@ -45,7 +48,8 @@ def wrong_settings(kb: KnowledgeBase) -> Iterator[Finding]:
             hint = f"did you mean {close[0]}?" if close else f"there are {', '.join(SECTIONS)}"
             yield warning(clause.place, f"nothing reads settings of {section}; {hint}")
     yield from (error(place, sentence) for place, sentence in strangers(kb))
-    for name, arity, stage in _STAGES:
+    stages = (*_STAGES, (*TIMED, lambda rows: movement_classifier(rows, kb.clauses_of(TIMED))))
+    for name, arity, stage in stages:
         if kb.clauses_of((name, arity)):
             try:
                 stage(kb.rows)

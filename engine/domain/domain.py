@@ -17,6 +17,7 @@ from typing import Any
 from casper.engine.domain.languages import check_says, speak
 from casper.engine.domain.printing import domain_lines, domain_name
 from casper.engine.domain.readings import Readings
+from casper.engine.perception.remembering.asked import ASKED
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import DomainError, PlanError
 from casper.kb.program.refusals import undefined_sentence
@@ -147,6 +148,7 @@ def build(name: str, folder: Path, sentences: dict[str, list[Sentence]]) -> Doma
     check_says(everything)
     library = PlanLibrary(everything)
     kb = KnowledgeBase()
+    kb.offer(ASKED)
     kb.add(_knowledge(everything, verifies))
     if verifies:
         kb.add(condition_clauses(library.productions))

@@ -16,7 +16,8 @@ SCENE_RELATIONS = frozenset(
 SHARING_NAMES = SCENE_RELATIONS | {
     ("setting", 3),
     # from perception to action
-    ("band", 2), ("encoding", 3), ("movement", 5), ("emission", 3),
+    ("band", 2), ("encoding", 3), ("movement", 5), ("movement", 10), ("likelihood", 3), ("emission", 3),
+    ("lasts", 3),
     ("transition", 4), ("cycle", 3), ("loop", 1), ("start", 3), ("context", 3),
 }  # fmt: skip
 """Relations of the stages: an ontology may have a furniture/1 beside the scene's furniture/7."""
@@ -25,7 +26,8 @@ SYSTEM_RELATIONS = SHARING_NAMES | {("goal", 1), ("human", 1), ("robot", 1), ("p
 """Every relation that is asked for by name."""
 
 SECTIONS = (
-    "actions", "agents", "collaboration", "focus", "human", "perception", "plans", "robot", "sensor", "sim", "tracking",
+    "actions", "agents", "collaboration", "focus", "human", "memory", "perception", "plans", "robot", "sensor", "sim",
+    "tracking",
     "verification",
 )  # fmt: skip
 """Whom ``setting(Section, Name, Value)`` can be for."""

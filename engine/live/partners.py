@@ -8,7 +8,8 @@ from typing import Any
 from casper.engine.domain.agents import is_known
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
-from casper.engine.mind import Mind, jumps
+from casper.engine.mind import Mind
+from casper.engine.perception.told import jumps
 from casper.engine.perception.tracking import Tracker
 from casper.engine.perception.world import WorldState
 from casper.engine.reading.course import Course
@@ -88,7 +89,7 @@ class Partners:
 
     def add(self, mind: Mind) -> None:
         """Another partner, who shares the world with the others."""
-        mind.tracker = self.first.tracker
+        mind.tracker, mind.memories = self.first.tracker, self.first.memories
         self.minds[mind.partner] = mind
         for each in self.minds.values():
             each.course.others = lambda own=each: self._others(own)  # type: ignore[misc]

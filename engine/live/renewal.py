@@ -17,6 +17,7 @@ from casper.engine.domain.relations import SHARING_NAMES
 from casper.engine.domain.reload import Dropped, current_fingerprint, reloaded, replayed
 from casper.engine.live.partners import Partners
 from casper.engine.mind import Mind
+from casper.engine.movements.leaves import TIMED
 from casper.engine.reading.underway import Underway
 from casper.engine.verification.history import History
 from casper.engine.verification.verification import Verifier
@@ -87,6 +88,7 @@ def _keep_commitment(made: Commitment | None, supervisor: Supervisor) -> None:
 
 
 def _keep_perception(mind: Mind, fresh: Mind) -> None:
+    fresh.memories.of = mind.memories.of
     if mind.partner != fresh.partner:
         return
     settings = fresh.tracker.settings
@@ -98,6 +100,8 @@ def _keep_perception(mind: Mind, fresh: Mind) -> None:
 
 
 def _rows(domain: Domain, name: str, arity: int) -> Sequence[object]:
+    if domain.kb.looks_back_at(name, arity) or (name, arity) == TIMED:
+        return [str(clause) for clause in domain.kb.clauses_of((name, arity))]
     return list(domain.kb.rows(name, arity))
 
 

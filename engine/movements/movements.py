@@ -6,55 +6,40 @@ import itertools
 from collections import Counter, deque
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
 
+from casper.engine.movements.features import (
+    HOLD,
+    MOS,
+    NOT_PERCEIVED,
+    QDC,
+    QTC,
+    Features,
+    Seen,
+    Timed,
+    TimedFeatures,
+    features,
+)
+from casper.engine.movements.leaves import Box, boxes_of, check_boxes
 from casper.engine.perception.focus import Focus
 from casper.engine.perception.perception import Relations, perception_settings
 from casper.engine.settings import Rows, require
 from casper.kb.errors import DomainError
-
-MOS = ("still", "moving")
-HOLD = ("free", "holding")
-QTC = ("-", "0", "+", "ignore")
-
-
-class Features(NamedTuple):
-    """What a movement is told by: ``still`` or ``moving``, ``free`` or ``holding``, the target's QDC and QTC.
-
-    Without a target the last two are ``ignore``. A tuple, so that it is the key of the relation's table.
-    """
-
-    mos: str
-    hold: str
-    qdc: str
-    qtc: str
-
-
-NOT_PERCEIVED = Features("ignore", "ignore", "ignore", "ignore")
-"""The features of a movement that was not told by any, such as a simulated one."""
-
-
-def features(relations: Relations, focus: Focus) -> Features:
-    """The features at one moment; the first step, which has no MOS, counts as still."""
-    mos = "moving" if relations.moving else "still"
-    hold = "free" if relations.holding is None else "holding"
-    target = focus.target
-    if target is None or target not in relations.qdc:
-        return Features(mos, hold, "ignore", "ignore")
-    return Features(mos, hold, relations.qdc[target], relations.qtc[target] or "ignore")
+from casper.kb.terms.clauses import Clause
 
 
 @dataclass(frozen=True, slots=True)
 class Movement:
     """The movement of one moment, and what it was told by.
 
-    ``shares`` are the weights of all it may have been, where that is not sure; they add up to 1.
+    ``shares`` are the weights of all it may have been, where that is not sure; they add up to 1. ``likelihoods`` are
+    how likely what was perceived is for each movement, up to a factor, where that was learned.
     """
 
     t: float
     name: str
-    features: Features = NOT_PERCEIVED
+    features: Seen = NOT_PERCEIVED
     shares: Mapping[str, float] | None = None
+    likelihoods: Mapping[str, float] | None = None
 
 
 class MovementClassifier:
@@ -103,12 +88,42 @@ class MovementClassifier:
         """Nothing is remembered from step to step."""
 
 
-def movement_classifier(rows: Rows) -> MovementClassifier:
-    """The classifier of a domain, from its ``movement/5`` and ``band/2``.
+class TimedClassifier:
+    """The domain's ``movement/10``, learned from what went before, too: a movement and likelihoods for each leaf.
+
+    Raises:
+        DomainError: at construction, where clauses leave out a combination of features or two have one in common.
+    """
+
+    def __init__(self, boxes: Sequence[Box]) -> None:
+        check_boxes(boxes)
+        self._boxes, self._past = boxes, Timed()
+        self._known: dict[TimedFeatures, Box] = {}
+
+    def reset(self) -> None:
+        """Forget what went before."""
+        self._past.reset()
+
+    def update(self, relations: Relations, focus: Focus) -> Movement:
+        """The movement of this step."""
+        seen = self._past.update(relations, focus)
+        box = self._known.get(seen)
+        if box is None:
+            box = self._known[seen] = next(box for box in self._boxes if box.has(seen))
+        shares = None if relations.grasp is None else box.likelihoods or {box.label: 1.0}
+        return Movement(relations.t, box.label, seen, shares, box.likelihoods)
+
+
+def movement_classifier(rows: Rows, clauses: Sequence[Clause] = ()) -> MovementClassifier | TimedClassifier:
+    """The classifier of a domain, from its ``movement/5`` and ``band/2``, or from the clauses of ``movement/10``.
 
     Raises:
         DomainError: a combination without a movement, or with two.
     """
+    if clauses:
+        bands = {label for label, _ in perception_settings(rows).bands}
+        require(bands <= set(QDC), f"movement/10 knows the bands {', '.join(QDC)}; use movement/5 with others")
+        return TimedClassifier(boxes_of(clauses, rows("likelihood", 3)))
     return MovementClassifier(rows("movement", 5), [label for label, _ in perception_settings(rows).bands])
 
 

@@ -18,3 +18,13 @@ def evaluation_lines(
     for number, row in enumerate(table):
         role: Role = "plain" if number else "faint"
         yield line(Span("".join(f" {cell:<{width}} " for cell, width in zip(row, widths)), role))
+
+
+def level_lines(per_level: Mapping[str, float], unseen: Mapping[str, float]) -> Iterator[Line]:
+    """The share right by sensor, and where it was left out of what was learned from."""
+    if not per_level:
+        return
+    width = max(map(len, per_level))
+    yield line(Span(f" {'sensor':<{width}}  accuracy  learned without it", "faint"))
+    for level, share in per_level.items():
+        yield line(f" {level:<{width}}  {share:8.3f}  {unseen[level]:8.3f}")

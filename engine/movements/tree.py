@@ -1,8 +1,8 @@
 """Learning the movements: a decision tree over qualitative features, judged by leaving one trial out.
 
 (Paper, sections Movement Classification and Decision Tree Training.) The features are ordinal: each value counts
-by its place in ``ORDERS``. What is learned is kept as leaves in the features' own words, so that nothing behind
-this module needs scikit-learn.
+by its place in its order (`engine.movements.features`). What is learned is kept as leaves in the features' own words,
+so that nothing behind this module needs scikit-learn.
 """
 
 from __future__ import annotations
@@ -10,51 +10,59 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
-from casper.engine.movements.movements import HOLD, MOS, QTC, Features
-from casper.engine.movements.printing import evaluation_lines
+from casper.engine.movements.features import Features, Seen, orders_of
+from casper.engine.movements.printing import evaluation_lines, level_lines
 from casper.engine.settings import check_seed, require
 from casper.kb.text.lines import Line, one_line, text_of
 
-QDC = ("touch", "near", "medium", "far", "ignore")
-ORDERS: tuple[tuple[str, ...], ...] = (MOS, HOLD, QDC, QTC)
-"""The values of each feature in the order they count in: still 0, moving 1; free 0, holding 1; touch 0 …"""
-
-MOST_LEAVES = math.prod(map(len, ORDERS))
 LARGEST_SEED = 2**32 - 1  # that the library behind `fit` takes
 
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """One step of one trial: what was perceived, and the movement its script was making."""
+    """One step of one trial: what was perceived, and the movement that was made.
+
+    ``level`` is the sensor it was perceived by, such as its noise and its rate, where there are several.
+    """
 
     trial: int
-    features: Features
+    features: Seen
     label: str
+    level: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Leaf:
-    """The features allowed on the way to it (values of each, in their order), its movement, its samples."""
+    """The features allowed on the way to it (values of each, in their order), its movement, its samples.
+
+    ``counts`` are the samples of each movement.
+    """
 
     allowed: tuple[tuple[str, ...], ...]
     label: str
     samples: int
+    counts: tuple[tuple[str, int], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class MovementTree:
-    """A learned tree as its leaves from left to right; every combination of features is in exactly one."""
+    """A learned tree as its leaves from left to right; every combination of features is in exactly one.
+
+    ``kind`` are the features it tells by, ``totals`` the samples of each movement.
+    """
 
     leaves: tuple[Leaf, ...]
     samples: int
     trials: int
     max_leaf_nodes: int
     seed: int
+    kind: type[Seen] = Features
+    totals: tuple[tuple[str, int], ...] = ()
 
-    def classify(self, features: Features) -> str:
+    def classify(self, features: Seen) -> str:
         """The movement of these features."""
         return next(
             leaf.label
@@ -65,20 +73,24 @@ class MovementTree:
 
 @dataclass(frozen=True, slots=True)
 class Evaluation:
-    """A cross-validation by trial.
+    """A cross-validation by trial, and by sensor.
 
     accuracy: share of all samples right. per_trial: the same within each trial. confusion: how often a movement
-    (first key) was taken for another (second key); labels: their order.
+    (first key) was taken for another (second key); labels: their order. per_level: the share of each sensor's
+    samples, a trial left out; unseen: the same where the sensor was left out as well.
     """
 
     accuracy: float
     per_trial: Mapping[int, float]
     confusion: Mapping[str, Mapping[str, int]]
     labels: tuple[str, ...]
+    per_level: Mapping[str, float] = field(default_factory=dict)
+    unseen: Mapping[str, float] = field(default_factory=dict)
 
     def lines(self) -> Iterator[Line]:
         """What a person is shown."""
-        return evaluation_lines(self.accuracy, self.labels, self.confusion)
+        yield from evaluation_lines(self.accuracy, self.labels, self.confusion)
+        yield from level_lines(self.per_level, self.unseen)
 
     def __str__(self) -> str:
         return text_of(self.lines())
@@ -87,14 +99,15 @@ class Evaluation:
         return one_line(f"Evaluation: accuracy {self.accuracy:.3f} in {len(self.per_trial)} trials")
 
 
-def check_learning(max_leaf_nodes: int, seed: int) -> None:
+def check_learning(max_leaf_nodes: int, seed: int, kind: type[Seen] = Features) -> None:
     """Refuse what no tree can be learned with, before anything is worked out.
 
     Raises:
         DomainError: fewer than two leaves or more than there are combinations of features, or a seed out of range.
     """
-    sentence = f"a movement tree has from 2 to {MOST_LEAVES} leaves, one for each combination of features at most"
-    require(2 <= max_leaf_nodes <= MOST_LEAVES, f"{sentence}, not {max_leaf_nodes}")
+    most = math.prod(map(len, orders_of(kind)))
+    sentence = f"a movement tree has from 2 to {most} leaves, one for each combination of features at most"
+    require(2 <= max_leaf_nodes <= most, f"{sentence}, not {max_leaf_nodes}")
     check_seed(seed)
     require(seed <= LARGEST_SEED, f"a seed to learn with is a whole number from 0 to {LARGEST_SEED}, not {seed}")
 
@@ -108,16 +121,22 @@ def fit(samples: Sequence[Sample], max_leaf_nodes: int = 5, seed: int = 0) -> Mo
     from sklearn.tree import DecisionTreeClassifier
 
     require(bool(samples), "a movement tree cannot be learned from no samples")
-    check_learning(max_leaf_nodes, seed)
-    ordered = sorted(samples, key=lambda s: (s.trial, s.features, s.label))
+    kind = type(samples[0].features)
+    check_learning(max_leaf_nodes, seed, kind)
+    alike = sorted(Counter((s.features, s.label) for s in samples).items())  # few: features are qualitative
+    rows = [encode(seen) for (seen, _), _ in alike]
     model = DecisionTreeClassifier(max_leaf_nodes=max_leaf_nodes, random_state=seed)
-    model.fit([encode(s.features) for s in ordered], [s.label for s in ordered])
-    trials = len({s.trial for s in samples})
-    return MovementTree(tuple(_leaves(model, 0, ORDERS)), len(samples), trials, max_leaf_nodes, seed)
+    model.fit(rows, [label for (_, label), _ in alike], sample_weight=[count for _, count in alike])
+    counts: dict[int, Counter[str]] = {}
+    for leaf, ((_, label), count) in zip(model.apply(rows).tolist(), alike):
+        counts.setdefault(leaf, Counter())[label] += count
+    totals = tuple(sorted(Counter(s.label for s in samples).items()))
+    leaves = tuple(_leaves(model, 0, orders_of(kind), orders_of(kind), counts))
+    return MovementTree(leaves, len(samples), len({s.trial for s in samples}), max_leaf_nodes, seed, kind, totals)
 
 
 def leave_one_trial_out(samples: Sequence[Sample], max_leaf_nodes: int = 5, seed: int = 0) -> Evaluation:
-    """Each trial judged by a tree learned from all the others.
+    """Each trial judged by a tree learned from all the others; of several sensors, also from other sensors only.
 
     Raises:
         DomainError: fewer than two trials, or as ``fit``.
@@ -126,39 +145,74 @@ def leave_one_trial_out(samples: Sequence[Sample], max_leaf_nodes: int = 5, seed
     require(len(trials) >= 2, "leaving one trial out needs at least two trials")
     confusion: Counter[tuple[str, str]] = Counter()
     per_trial = {}
+    right_of: Counter[str] = Counter()
     for trial in trials:
-        tree = fit([s for s in samples if s.trial != trial], max_leaf_nodes, seed)
-        judged = [(s.label, tree.classify(s.features)) for s in samples if s.trial == trial]
-        confusion.update(judged)
-        per_trial[trial] = sum(true == seen for true, seen in judged) / len(judged)
+        judged = _judged(samples, max_leaf_nodes, seed, trial)
+        confusion.update((sample.label, seen) for sample, seen in judged)
+        right_of.update(sample.level for sample, seen in judged if sample.label == seen)
+        per_trial[trial] = sum(sample.label == seen for sample, seen in judged) / len(judged)
     labels = tuple(sorted({s.label for s in samples}))
     right = sum(confusion[label, label] for label in labels)
     table = {true: {seen: confusion[true, seen] for seen in labels} for true in labels}
-    return Evaluation(right / len(samples), per_trial, table, labels)
+    all_of = Counter(s.level for s in samples)
+    per_level = {level: right_of[level] / count for level, count in sorted(all_of.items())} if len(all_of) > 1 else {}
+    unseen = {level: _unseen(samples, max_leaf_nodes, seed, level) for level in per_level}
+    return Evaluation(right / len(samples), per_trial, table, labels, per_level, unseen)
 
 
-def encode(features: Features) -> list[int]:
+FOLDS = 5  # groups of trials of which one is left out with a sensor
+
+
+def _unseen(samples: Sequence[Sample], max_leaf_nodes: int, seed: int, level: str) -> float:
+    """The share right of one sensor's samples, learned from other sensors and other trials."""
+    trials = sorted({s.trial for s in samples})
+    judged = []
+    for fold in range(min(FOLDS, len(trials))):
+        group = trials[fold::FOLDS]
+        tree = fit([s for s in samples if s.level != level and s.trial not in group], max_leaf_nodes, seed)
+        judged += _answers(tree, [s for s in samples if s.level == level and s.trial in group])
+    return sum(sample.label == seen for sample, seen in judged) / max(len(judged), 1)
+
+
+def _judged(samples: Sequence[Sample], max_leaf_nodes: int, seed: int, trial: int) -> list[tuple[Sample, str]]:
+    tree = fit([s for s in samples if s.trial != trial], max_leaf_nodes, seed)
+    return _answers(tree, [s for s in samples if s.trial == trial])
+
+
+def _answers(tree: MovementTree, samples: Sequence[Sample]) -> list[tuple[Sample, str]]:
+    known = {seen: tree.classify(seen) for seen in {s.features for s in samples}}
+    return [(sample, known[sample.features]) for sample in samples]
+
+
+def encode(features: Seen) -> list[int]:
     """The features as places in their orders.
 
     Raises:
         DomainError: a value that is in no order; the sentence names it.
     """
-    for value, order in zip(features, ORDERS, strict=True):
+    orders = orders_of(type(features))
+    for value, order in zip(features, orders, strict=True):
         require(value in order, f"the feature {value} is none of {', '.join(order)}")
-    return [order.index(value) for value, order in zip(features, ORDERS, strict=True)]
+    return [order.index(value) for value, order in zip(features, orders, strict=True)]
 
 
-def _leaves(model: Any, node: int, allowed: tuple[tuple[str, ...], ...]) -> list[Leaf]:
+def _leaves(
+    model: Any,
+    node: int,
+    allowed: tuple[tuple[str, ...], ...],
+    orders: tuple[tuple[str, ...], ...],
+    counts: Mapping[int, Counter[str]],
+) -> list[Leaf]:
     tree = model.tree_
     left, right = int(tree.children_left[node]), int(tree.children_right[node])
     if left == right:
         label = str(model.classes_[tree.value[node][0].argmax()])
-        return [Leaf(allowed, label, int(tree.n_node_samples[node]))]
+        return [Leaf(allowed, label, counts[node].total(), tuple(sorted(counts[node].items())))]
     feature, threshold = int(tree.feature[node]), float(tree.threshold[node])
-    order = ORDERS[feature]
+    order = orders[feature]
     low = tuple(value for value in allowed[feature] if order.index(value) <= threshold)
     high = tuple(value for value in allowed[feature] if order.index(value) > threshold)
     return [
-        *_leaves(model, left, (*allowed[:feature], low, *allowed[feature + 1 :])),
-        *_leaves(model, right, (*allowed[:feature], high, *allowed[feature + 1 :])),
+        *_leaves(model, left, (*allowed[:feature], low, *allowed[feature + 1 :]), orders, counts),
+        *_leaves(model, right, (*allowed[:feature], high, *allowed[feature + 1 :]), orders, counts),
     ]

@@ -88,6 +88,11 @@ class Tracker:
         return () if self._steadier is None else tuple(self._steadier.jumps)
 
     @property
+    def late(self) -> float:
+        """By how many seconds what is told is later than what it tells of; 0 where the sensor is good."""
+        return 0.0 if self._steadier is None else self._steadier.lag
+
+    @property
     def quality(self) -> Quality:
         """What is known of the sensor."""
         return self._gauge.quality

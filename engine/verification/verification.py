@@ -5,7 +5,7 @@ An action the low level believes in becomes a statement; what the knowledge base
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from casper.engine.verification.history import Done, History
@@ -44,10 +44,12 @@ class Verifier:
 
     kb: KnowledgeBase
     history: History = field(default_factory=History)
+    seen: Callable[[], KnowledgeBase] | None = None  # the base with what was seen, where rules ask for that
 
     def judge(self, statement: Statement) -> Verdict:
-        """Whether the statement is valid after what was accepted, and why not."""
-        return self.kb.verify(statement.term, self.looked_at)
+        """Whether the statement is valid after what was accepted and seen, and why not."""
+        kb = self.kb if self.seen is None else self.seen()
+        return kb.verify(statement.term, self.looked_at)
 
     @property
     def looked_at(self) -> Sequence[Done]:

@@ -24,7 +24,7 @@ from casper.engine.verification.matching import (
 )
 from casper.engine.verification.observation import Observation
 from casper.kb.base import KnowledgeBase
-from casper.kb.errors import BudgetExceeded
+from casper.kb.errors import BudgetExceeded, Undefined
 from casper.kb.reasons.why_not import Refusal
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import is_ground, substitute, unify
@@ -200,7 +200,7 @@ def settle(kb: KnowledgeBase, plan: Plan, binding: Binding) -> Binding | Mismatc
                 answers.append(completed)
             if len(answers) > 1:
                 return binding
-    except BudgetExceeded:
+    except (BudgetExceeded, Undefined):
         return binding  # unknown is not no
     if answers:
         return answers[0]

@@ -1,12 +1,13 @@
 """A program: clauses sorted into predicates and constraints, checked, and split into strata.
 
 A predicate is *stored* when the fixpoint can list all its rows: every clause is range-restricted, nothing it needs is
-situational (claim/1, did/2), and no recursion builds ever larger terms. Every other predicate is answered top-down.
+situational (claim/1, did/2, what is offered from outside), and no recursion builds ever larger terms. Every other
+predicate is answered top-down.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import chain
@@ -17,7 +18,7 @@ from casper.kb.program.control import plain_clauses
 from casper.kb.program.declarations import Moded
 from casper.kb.program.listing import unlisted
 from casper.kb.program.refusals import check_bound, check_computable, check_defined, check_own, checked_constraint
-from casper.kb.program.strata import check_least, components_of, dependents, levels_of, negative_circles
+from casper.kb.program.strata import check_least, components_of, dependents, levels_of, needs, negative_circles
 from casper.kb.relations.relation import Row
 from casper.kb.terms.builtins import BUILTINS
 from casper.kb.terms.clauses import DID, NOWHERE, SYSTEM, Clause, Indicator
@@ -46,6 +47,7 @@ class Program:
     top_down: frozenset[Indicator]
     least: Mapping[Indicator, Moded] = field(default_factory=dict)
     circular: frozenset[Indicator] = frozenset()  # where negation runs in a circle; each circle is a stratum
+    outside: frozenset[Indicator] = frozenset()  # what is asked of those that are offered from outside
 
     @cached_property
     def looks_back(self) -> bool:
@@ -59,6 +61,7 @@ def analyse(
     dynamic: Iterable[Indicator] = (),
     bulk: Mapping[Indicator, Iterable[Row]] | None = None,
     least: Mapping[Indicator, Moded] | None = None,
+    offered: Collection[Indicator] = (),
 ) -> Program:
     """Sort and check the clauses.
 
@@ -67,6 +70,7 @@ def analyse(
         dynamic: predicates that are defined even without a clause.
         bulk: rows of ground facts that no clause stands for; of a mapping the values are what is behind each.
         least: predicates with an argument that is kept least or greatest for each of the others.
+        offered: predicates that others answer at the moment of asking, where the program names them without a clause.
 
     Raises:
         ProgramError: an undefined predicate, a redefined system predicate, a constraint without a sentence,
@@ -88,6 +92,9 @@ def analyse(
     for indicator in given:
         check_own(indicator, NOWHERE)
         predicates.setdefault(indicator, [])
+    outside = _outside(predicates, constraints, offered, given)
+    predicates.update({indicator: [] for indicator in outside})
+    given.update({indicator: {} for indicator in outside})
     table = {indicator: tuple(found) for indicator, found in predicates.items()}
     rules = {indicator: tuple(c for c in found if not is_given(c)) for indicator, found in table.items()}
     for indicator, found in table.items():
@@ -101,13 +108,27 @@ def analyse(
             check_computable(literal)
             check_bound(literal, clause)
     moded = {i: m for i, m in (least or {}).items() if i in rules}
-    split = _split(rules, moded)
+    split = _split(rules, moded, outside)
     resolved = dict(rules)
     for indicator in split.top_down:
         rows = given[indicator]
         loaded = (Compound((indicator[0], *row)) for row, behind in rows.items() if not isinstance(behind, Clause))
         resolved[indicator] = (*table[indicator], *(clause_behind(head, rows[head.args]) for head in loaded))
-    return Program(resolved, rules, given, tuple(constraints), **vars(split), least=moded)
+    return Program(resolved, rules, given, tuple(constraints), **vars(split), least=moded, outside=outside)
+
+
+def _outside(
+    predicates: Mapping[Indicator, list[Clause]],
+    constraints: list[Clause],
+    offered: Collection[Indicator],
+    given: Mapping[Indicator, Given],
+) -> frozenset[Indicator]:
+    """Those of what is offered that the program names, as a condition or a declaration, and does not define itself."""
+    wanted = {i for i in offered if not predicates.get(i) and not given.get(i)}
+    if not wanted:
+        return frozenset()
+    asked = needs([*constraints, *(clause for found in predicates.values() for clause in found)])
+    return frozenset(wanted & {*asked, *predicates})
 
 
 def _with_origins(rows: Iterable[Row]) -> Given:
@@ -119,13 +140,15 @@ def is_given(clause: Clause) -> bool:
     return not clause.body and is_ground(clause.head)
 
 
-def _split(rules: Mapping[Indicator, tuple[Clause, ...]], least: Mapping[Indicator, Moded]) -> _Split:
+def _split(
+    rules: Mapping[Indicator, tuple[Clause, ...]], least: Mapping[Indicator, Moded], outside: frozenset[Indicator]
+) -> _Split:
     """The strata of the stored predicates, and how all others are answered."""
     groups = components_of(rules)
     levels = levels_of(rules, groups, least)
     check_least(rules, groups, least)
     circles = [group for group, _, _ in negative_circles(rules, groups)]
-    situational = dependents(rules, set(SYSTEM))
+    situational = dependents(rules, {*SYSTEM, *outside}) | outside
     top_down = situational | unlisted(rules, groups, least)
     top_down |= dependents(rules, top_down | set(BUILTINS - rules.keys()))
     for name, arity in sorted(top_down & least.keys()):

@@ -15,6 +15,7 @@ from casper.kb.terms.clauses import Clause, Indicator, Literal
 from casper.kb.terms.origins import Origin, clause_behind
 from casper.kb.terms.terms import Compound, predication
 from casper.kb.terms.unification import unify
+from casper.kb.top_down.linking import Rows
 from casper.kb.top_down.solve import Solver
 
 Given: TypeAlias = Mapping[Indicator, Mapping[Row, Origin]]  # base facts, with the clause behind each
@@ -178,9 +179,15 @@ def _literal_proof(literal: Literal, known: _Known) -> Proof | None:
 
 
 def _computed_proof(atom: Compound, known: _Known) -> Proof | None:
-    """valid(S) rests on the proof of S, and on no constraint being broken; never(S) on the facts as they are."""
-    if next(known.solver.computed[atom.indicator](atom), None) is None:
+    """valid(S) rests on the proof of S, and on no constraint being broken; never(S) on the facts as they are.
+
+    A row that somebody outside gives rests on nothing.
+    """
+    computed = known.solver.computed[atom.indicator]
+    if next(computed(atom), None) is None:
         return None
+    if isinstance(computed, Rows):
+        return Proof(Literal(atom), None, (), computed.remark)
     if atom.functor == "never":
         return Proof(Literal(atom), None, (), "the facts break this constraint")
     inner = _prove(predication(atom[1]), known)

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from casper.kb.relations.relation import Columns, Relation, Row
 from casper.kb.terms.clauses import Indicator
-from casper.kb.terms.unknown import has_unknown, may_equal
+from casper.kb.terms.unknown import UNKNOWN, has_unknown, may_equal
 
 
 class UndefinedRows(Relation):
@@ -36,6 +36,13 @@ class UndefinedRows(Relation):
     def may_hold(self, row: Row) -> bool:
         """Whether the row is undefined."""
         return row in self.rows or any(all(map(may_equal, row, other)) for other in self.open)
+
+
+def wholly_unknown(indicator: Indicator, _: object = None) -> Relation:
+    """A relation of which nothing is known: whatever it is asked is undefined."""
+    relation = Relation(*indicator)
+    relation.undefined = UndefinedRows(*indicator, [(UNKNOWN,) * indicator[1]])
+    return relation
 
 
 class _Possible(Relation):

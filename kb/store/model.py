@@ -81,13 +81,14 @@ class Model:
         computed: Mapping[Indicator, Computed],
         least: Mapping[Indicator, Moded] | None = None,
         stored: Collection[Indicator] = (),
+        offered: Collection[Indicator] = (),
     ) -> Model:
         """Analyse, and list what follows from the facts where they are few, or where a ``stored`` predicate wants it.
 
         Raises:
             ProgramError, BudgetExceeded: see `kb.program.program.analyse` and `kb.bottom_up.materialise.materialise`.
         """
-        program = analyse(clauses, dynamic, bulk, least)
+        program = analyse(clauses, dynamic, bulk, least, offered)
         for indicator in stored:
             check_storable(program, indicator)
         model = cls(program, program.given, {}, computed, Compiled(program))

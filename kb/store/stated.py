@@ -33,11 +33,12 @@ class Stated:
     statements: dict[Indicator, None] = field(default_factory=dict)
     shared: set[Indicator] = field(default_factory=set)
     language: str = ""  # in which reasons are told, where somebody worded them
+    offered: set[Indicator] = field(default_factory=set)  # what others answer, where it is asked
 
     def copied(self) -> Stated:
         """The same, to go its own way."""
         own = dict(self.clauses), set(self.dynamic), dict(self.bulk), dict(self.least), set(self.stored)
-        return Stated(*own, dict(self.statements), set(self.bulk), self.language)
+        return Stated(*own, dict(self.statements), set(self.bulk), self.language, set(self.offered))
 
     def add(self, sentence: Sentence) -> None:
         """Add a clause or a declaration.
@@ -115,7 +116,7 @@ class Stated:
         """The same as it travels to other processes: rows with their clauses instead of the text they stand in."""
         bulk: Bulk = {i: {r: _kept(i, r, origin) for r, origin in rows.items()} for i, rows in self.bulk.items()}
         kept = self.clauses, self.dynamic, bulk, self.least, self.stored, self.statements
-        return Stated(*kept, language=self.language)
+        return Stated(*kept, language=self.language, offered=self.offered)
 
     def __len__(self) -> int:
         return len(self.clauses) + sum(map(len, self.bulk.values()))

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
-from functools import wraps
+from functools import partial, wraps
 from threading import RLock
+from types import MappingProxyType
 from typing import Concatenate, ParamSpec, Self, TypeVar
 from weakref import ref
 
@@ -12,6 +13,7 @@ from casper.kb.errors import ProgramError
 from casper.kb.reasons.constraints import History
 from casper.kb.reasons.says import Words
 from casper.kb.reasons.validity import Verdict
+from casper.kb.relations.undefined import wholly_unknown
 from casper.kb.store.computed import broken, valid
 from casper.kb.store.known import MOST_INDEXED, NOTHING, Known, Statement
 from casper.kb.store.model import Model
@@ -20,7 +22,7 @@ from casper.kb.terms.clauses import Clause, Indicator
 from casper.kb.terms.terms import Compound
 from casper.kb.top_down.answering import Answering
 from casper.kb.top_down.compiled.cells import variant
-from casper.kb.top_down.linking import Computed
+from casper.kb.top_down.linking import Computed, Rows
 from casper.kb.top_down.solve import DEFAULT_BUDGET
 
 NO_HISTORY: History = ()
@@ -61,6 +63,7 @@ class Versioned:
 
     _begun = _ended = 0  # changes: one is under way when these differ
     _below: Versioned | None = None  # the snapshot that an assumption is laid over
+    _outside: Mapping[Indicator, Computed] = MappingProxyType({})  # who answers what is offered
 
     def snapshot(self) -> Self:
         """The knowledge base as it is now, for as long as it is held; it costs microseconds, and cannot be changed.
@@ -105,7 +108,35 @@ class Versioned:
 
     @property
     def _computed(self) -> Mapping[Indicator, Computed]:
-        return {("valid", 1): self._valid, ("never", 1): self._broken}
+        unknown = {indicator: Rows(partial(wholly_unknown, indicator)) for indicator in self._stated.offered}
+        return {("valid", 1): self._valid, ("never", 1): self._broken, **unknown, **self._outside}
+
+    def offer(self, indicators: Iterable[Indicator]) -> None:
+        """Name predicates that somebody outside may answer (`seeing`).
+
+        One that a text asks for and does not define is then no mistake; until somebody answers it is undefined
+        whatever it is asked.
+        """
+        with self._changing():
+            self._forget()
+            self._stated.offered |= set(indicators)
+
+    @property
+    def asks_outside(self) -> frozenset[Indicator]:
+        """Those of what is offered that the text names."""
+        return self._model.program.outside if self._stated.offered else frozenset()
+
+    def seeing(self, answers: Mapping[Indicator, Rows]) -> Self:
+        """The knowledge base as it is now, with what is offered answered by somebody: a snapshot, of microseconds.
+
+        Args:
+            answers: by predicate, what makes the relation that has every row an atom can be, the undefined among them.
+        """
+        view = object.__new__(type(self))
+        view.__dict__.update(self.snapshot().__dict__)
+        view._false, view._validated, view._verdicts, view.lock = set(), {}, {}, RLock()
+        view._outside = {**self._outside, **answers}
+        return view
 
     def _forget(self) -> None:
         """Everything has to be worked out anew."""
@@ -124,7 +155,8 @@ class Versioned:
             with self.lock:
                 stated = self._stated
                 kept = stated.clauses, stated.dynamic, stated.bulk
-                model = self._cached or Model.of(*kept, self._computed, stated.least, stated.stored)
+                more = stated.least, stated.stored, stated.offered
+                model = self._cached or Model.of(*kept, self._computed, *more)
                 self._cached = model
         return model
 

@@ -33,9 +33,11 @@ class Rows:
 
     Args:
         relation: from an atom to a relation that has every row it can be, the undefined ones among them.
+        remark: on what a row rests, in a proof.
     """
 
     relation: Callable[[Compound], Relation]
+    remark: str = "given from outside"
 
     def __call__(self, atom: Compound) -> Iterator[Compound]:
         """The rows that the atom can be.

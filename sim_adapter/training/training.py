@@ -8,10 +8,13 @@ from casper.sim_adapter.room.scene import Scene
 from casper.sim_adapter.steps import Step
 
 
-def training_script(scene: Scene, rng: np.random.Generator, *, step_back: bool = False) -> list[Step]:
+def training_script(
+    scene: Scene, rng: np.random.Generator, *, step_back: bool = False, uses: bool = False
+) -> list[Step]:
     """One trial: still a while, fetch a random object, bring it to a random place, still again.
 
-    With ``step_back`` the human steps back from the place before it stands still the second time.
+    With ``step_back`` the human steps back from the place before it stands still the second time; with ``uses`` what
+    was brought is used there before that.
     """
     target = str(rng.choice(scene.movables))
     places = [name for name in scene.destinations if name != target]
@@ -23,4 +26,6 @@ def training_script(scene: Scene, rng: np.random.Generator, *, step_back: bool =
     ]
     if step_back:
         script.insert(2, Step("step_back"))
+    if uses:
+        script.insert(2, Step("use", target, destination))
     return script

@@ -1,5 +1,6 @@
 """The command line as such: its version, its exit codes, its numbers, and where it may write."""
 
+import json
 import os
 import tomllib
 from pathlib import Path
@@ -165,7 +166,7 @@ def learns_never(monkeypatch):
     def learn(*arguments, **options):
         raise AssertionError("it was worked out before the place was looked at")
 
-    monkeypatch.setattr("casper.sim_adapter.training.samples.training_samples", learn)
+    monkeypatch.setattr("casper.sim_adapter.training.samples.training_recordings", learn)
 
 
 def reads_never(monkeypatch):
@@ -217,3 +218,34 @@ def test_two_dollar_signs_in_a_picture_are_no_formula(casper, tmp_path):
     told = casper("explain", str(tmp_path), "'take$_$'", "--picture", str(tmp_path / "pay.svg"))
     assert (told.code, told.err) == (0, "")
     assert "give('$\\\\frac{$')" in (tmp_path / "pay.svg").read_text()
+
+
+# --- training from recordings ---------------------------------------------------------------------------------------
+
+
+def labelled(trials=2):
+    """Lines of somebody who walks to a cup and takes it, a few times."""
+    for trial in range(trials):
+        for step in range(1, 17):
+            x = min(-3.0 + 0.3 * step, 0.0)
+            ann = {"x": x, "y": 0.0, "heading": 0.0, "holding": "cup" if step > 13 else None}
+            state = {"t": step / 2, "agents": {"ann": ann}, "objects": {"cup": {"x": 0.3, "y": 0.0, "z": 0.8}}}
+            yield json.dumps({**state, "movement": "walk" if x < 0 else "pick", "trial": trial, "level": f"eye {trial}"})
+
+
+@pytest.mark.parametrize(("more", "relation"), [((), "movement(Mos, Hold, Qdc, Qtc, walk)"), (("--timed",), "likelihood(1, ")])
+def test_train_learns_from_labelled_recordings(casper, tmp_path, more, relation):
+    pytest.importorskip("sklearn")
+    (tmp_path / "ann.jsonl").write_text("\n".join(labelled()))
+    learned = tmp_path / "learned.pl"
+    told = casper("train", "minimal", "--trace", str(tmp_path / "ann.jsonl"), *more, "--leaves", "2", "--output", str(learned), "--json")
+    assert told.code == 0 and told.json[0]["samples"] == 30 and told.json[0]["trials"] == 2
+    assert set(told.json[0]["per_level"]) == {"eye 0", "eye 1"} == set(told.json[0]["unseen_level"])
+    assert relation in learned.read_text()
+
+
+def test_train_tells_where_a_recording_is_wrong(casper, tmp_path):
+    pytest.importorskip("sklearn")
+    (tmp_path / "ann.jsonl").write_text("\n".join([*labelled(1), "{"]))
+    told = casper("train", "minimal", "--trace", str(tmp_path / "ann.jsonl"), "--output", str(tmp_path / "learned.pl"))
+    assert told.code == 2 and "ann.jsonl:17: this is not a line of JSON" in told.err and not (tmp_path / "learned.pl").exists()

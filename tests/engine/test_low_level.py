@@ -7,7 +7,8 @@ import sys
 import pytest
 from low_level_kitchen import QDC, five_clauses, kitchen_rows
 
-from casper.engine.actions.actions import action_recogniser, context_table, contextualise
+from casper.engine.actions.actions import action_recogniser
+from casper.engine.actions.contexts import context_table, contextualise
 from casper.engine.movements.movements import MovementClassifier
 from casper.engine.perception.focus import FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, perception_settings

@@ -4,7 +4,7 @@ import itertools
 from pathlib import Path
 
 from casper.engine.domain.domain import SHIPPED, Domain
-from casper.engine.movements.movements import HOLD, MOS, QTC
+from casper.engine.movements.features import HOLD, MOS, QTC
 from casper.engine.perception.focus import Focus
 from casper.engine.perception.perception import Relations
 

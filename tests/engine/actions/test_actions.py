@@ -7,7 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from low_level_kitchen import GOLDEN, kitchen_rows, movements, rows_of
 
-from casper.engine.actions.actions import action_recogniser, context_table, contextualise
+from casper.engine.actions.actions import action_recogniser
+from casper.engine.actions.contexts import context_table, contextualise
 from casper.engine.actions.fsm import likeliest_chain, movements_of, read_fsms, sampled_chain
 from casper.engine.actions.prediction import ActionSettings, action_settings
 from casper.engine.actions.ratcliff import similarity

@@ -7,8 +7,9 @@ from hypothesis import strategies as st
 from low_level_kitchen import QDC, five_clauses
 
 from casper.engine.movements.clauses import compile_tree
-from casper.engine.movements.movements import HOLD, MOS, QTC, Features, MovementClassifier
-from casper.engine.movements.tree import ORDERS, Sample, encode, fit, leave_one_trial_out
+from casper.engine.movements.features import HOLD, MOS, ORDERS, QTC, Features
+from casper.engine.movements.movements import MovementClassifier
+from casper.engine.movements.tree import Sample, encode, fit, leave_one_trial_out
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import DomainError
 

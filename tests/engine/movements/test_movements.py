@@ -5,17 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from low_level_kitchen import QDC, attending, five_clauses, rows_of, seen
 
-from casper.engine.movements.movements import (
-    HOLD,
-    MOS,
-    QTC,
-    Features,
-    Movement,
-    MovementClassifier,
-    MovementFilter,
-    features,
-    movement_classifier,
-)
+from casper.engine.movements.features import HOLD, MOS, QTC, Features, features
+from casper.engine.movements.movements import Movement, MovementClassifier, MovementFilter, movement_classifier
 from casper.kb.errors import DomainError
 
 

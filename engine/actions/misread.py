@@ -1,0 +1,101 @@
+"""Which movements were probably misread: the likeliest path through the hidden states (Viterbi) behind an action."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from casper.engine.actions.durations import Duration
+from casper.engine.actions.hmm_model import HmmModel
+from casper.engine.actions.prediction import Misread
+
+MOST_RUNS = 60  # of equal movements that are looked back on
+LEAST = 1e-12
+
+
+@dataclass(slots=True)
+class _Run:
+    """Equal movements one after the other: from when to when, and how likely they are by what was really done."""
+
+    seen: str
+    begins: float
+    ends: float
+    weights: dict[str, float] = field(default_factory=dict)  # logarithms
+
+
+class Trail:
+    """What was seen since the last action, as runs of equal movements."""
+
+    def __init__(self, model: HmmModel, durations: Mapping[str, Duration]) -> None:
+        self._model, self._durations = model, durations
+        self._runs: deque[_Run] = deque(maxlen=MOST_RUNS)
+        self._start: Mapping[int, float] = model.initial
+
+    def begin(self, start: Mapping[int, float]) -> None:
+        """Behind an action, from what is believed there (probabilities by state)."""
+        self._runs.clear()
+        self._start = start
+
+    def add(self, t: float, seen: str, likelihood: Mapping[str, float]) -> None:
+        """One step: what was seen, and how likely that is for each movement."""
+        if not self._runs or self._runs[-1].seen != seen:
+            self._runs.append(_Run(seen, t, t))
+        run = self._runs[-1]
+        run.ends = t
+        for name, p in likelihood.items():
+            run.weights[name] = run.weights.get(name, 0.0) + math.log(max(p, LEAST))
+
+    def misread(self, action: str) -> tuple[Misread, ...]:
+        """Of the likeliest way to this action, those runs that were something else than was seen, in order of time."""
+        path = self._path(action)
+        named = (self._model.states[index].movement for index in path)
+        return tuple(Misread(run.begins, run.seen, name) for run, name in zip(self._runs, named) if run.seen != name)
+
+    def _path(self, action: str) -> list[int]:
+        """The likeliest state of each run, if in the end the action has happened."""
+        states, back = self._model.states, list[dict[int, int]]()
+        best: dict[int, float] = {}
+        before: _Run | None = None
+        for run in self._runs:
+            came: dict[int, int] = {}
+            reached = self._begun() if before is None else self._onward(best, run, before, came)
+            best = {i: p + run.weights.get(states[i].movement, -math.inf) for i, p in reached.items()}
+            best = {i: p + self._stays(i, run.ends - run.begins) for i, p in best.items()}
+            back.append(came)
+            before = run
+        ends = [i for i in best if self._model.complete[i] == action]
+        if not ends:
+            return []
+        path = [max(ends, key=best.__getitem__)]
+        for came in reversed(back[1:]):
+            path.append(came[path[-1]])
+        return path[::-1]
+
+    def _begun(self) -> dict[int, float]:
+        """Where it began; of a long time without an action the beginning is forgotten."""
+        if len(self._runs) == MOST_RUNS:
+            return dict.fromkeys(range(len(self._model.states)), 0.0)
+        reached: dict[int, float] = {}
+        for index, p in self._start.items():
+            for to, chance in ((index, 1.0), *self._model.arcs[index]):
+                reached[to] = max(reached.get(to, -math.inf), math.log(max(p * chance, LEAST)))
+        return reached
+
+    def _onward(self, best: Mapping[int, float], run: _Run, before: _Run, came: dict[int, int]) -> dict[int, float]:
+        """How well each state is reached from the run before, and from where."""
+        reached: dict[int, float] = {}
+        dt = run.begins - before.ends
+        for index, p in best.items():
+            stays = math.exp(self._stays(index, dt))
+            change = max(1.0 - stays, LEAST)
+            for to, chance in ((index, stays), *((to, change * chance) for to, chance in self._model.arcs[index])):
+                total = p + math.log(max(chance, LEAST))
+                if total > reached.get(to, -math.inf):
+                    reached[to], came[to] = total, index
+        return reached
+
+    def _stays(self, index: int, dt: float) -> float:
+        """The logarithm of the chance that a movement goes on for so long."""
+        return -max(dt, 0.0) / self._durations[self._model.states[index].movement].mean
