@@ -10,7 +10,9 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("kb", "plans", "engine", "sim_adapter", "domains")
-DOORS = ("cli", "server", "batch", "planning", "qsr", "testing", "notebook", "report", "lsp")  # rooms of src/casper itself
+DOORS = (  # rooms of src/casper itself
+    "cli", "server", "batch", "planning", "qsr", "testing", "notebook", "report", "lsp", "streams", "experiments",
+)  # fmt: skip
 
 
 def tree() -> set[str]:

@@ -56,10 +56,14 @@ def _figures(evaluation: Evaluation) -> list[str]:
         "  " + " " * width + head,
         *("  " + row for row in rows),
         *(
-            f"{level}: accuracy {share:.4f}, learned without it {evaluation.unseen[level]:.4f}."
+            f"{level}: accuracy {share:.4f}, learned without it {_share(evaluation.unseen.get(level))}."
             for level, share in evaluation.per_level.items()
         ),
     ]
+
+
+def _share(share: float | None) -> str:
+    return "unknown" if share is None else f"{share:.4f}"
 
 
 def _values() -> str:
@@ -78,7 +82,7 @@ def _clauses(tree: MovementTree) -> str:
             for variable, values, order in zip(_VARIABLES, leaf.allowed, ORDERS)
             if len(values) < len(order)
         ]
-        head = f"movement({', '.join(_VARIABLES)}, {_atom(leaf.label)}) :-"
+        head = f"movement({', '.join(_VARIABLES[: len(ORDERS)])}, {_atom(leaf.label)}) :-"
         body = ",\n    ".join([_DOMAIN, *([", ".join(tests)] if tests else [])])
         clauses.append(f"{head}  % {leaf.samples} samples\n    {body}.")
     return "\n".join(clauses)

@@ -27,4 +27,5 @@ def level_lines(per_level: Mapping[str, float], unseen: Mapping[str, float]) -> 
     width = max(map(len, per_level))
     yield line(Span(f" {'sensor':<{width}}  accuracy  learned without it", "faint"))
     for level, share in per_level.items():
-        yield line(f" {level:<{width}}  {share:8.3f}  {unseen[level]:8.3f}")
+        alone = f"{unseen[level]:8.3f}" if level in unseen else f"{'unknown':>8}"
+        yield line(f" {level:<{width}}  {share:8.3f}  {alone}")

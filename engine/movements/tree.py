@@ -156,22 +156,25 @@ def leave_one_trial_out(samples: Sequence[Sample], max_leaf_nodes: int = 5, seed
     table = {true: {seen: confusion[true, seen] for seen in labels} for true in labels}
     all_of = Counter(s.level for s in samples)
     per_level = {level: right_of[level] / count for level, count in sorted(all_of.items())} if len(all_of) > 1 else {}
-    unseen = {level: _unseen(samples, max_leaf_nodes, seed, level) for level in per_level}
+    shares = {level: _unseen(samples, max_leaf_nodes, seed, level) for level in per_level}
+    unseen = {level: share for level, share in shares.items() if share is not None}
     return Evaluation(right / len(samples), per_trial, table, labels, per_level, unseen)
 
 
 FOLDS = 5  # groups of trials of which one is left out with a sensor
 
 
-def _unseen(samples: Sequence[Sample], max_leaf_nodes: int, seed: int, level: str) -> float:
-    """The share right of one sensor's samples, learned from other sensors and other trials."""
+def _unseen(samples: Sequence[Sample], max_leaf_nodes: int, seed: int, level: str) -> float | None:
+    """The share right of one sensor's samples, learned from other sensors and other trials; None: there are none."""
     trials = sorted({s.trial for s in samples})
     judged = []
     for fold in range(min(FOLDS, len(trials))):
-        group = trials[fold::FOLDS]
-        tree = fit([s for s in samples if s.level != level and s.trial not in group], max_leaf_nodes, seed)
-        judged += _answers(tree, [s for s in samples if s.level == level and s.trial in group])
-    return sum(sample.label == seen for sample, seen in judged) / max(len(judged), 1)
+        group = set(trials[fold::FOLDS])
+        asked = [s for s in samples if s.level == level and s.trial in group]
+        others = [s for s in samples if s.level != level and s.trial not in group]
+        if asked and others:
+            judged += _answers(fit(others, max_leaf_nodes, seed), asked)
+    return sum(sample.label == seen for sample, seen in judged) / len(judged) if judged else None
 
 
 def _judged(samples: Sequence[Sample], max_leaf_nodes: int, seed: int, trial: int) -> list[tuple[Sample, str]]:

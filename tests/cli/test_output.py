@@ -116,7 +116,9 @@ def test_nothing_is_cut_off_in_a_narrow_terminal(casper, monkeypatch):
 def test_the_table_of_training_is_whole_in_a_narrow_terminal(monkeypatch, capsys):
     monkeypatch.setenv("COLUMNS", "20")
     labels = ("a:x:b", "[bold]", "transportation")
-    sys.modules[cli.train.__module__]._show(Evaluation(1.0, {0: 1.0}, {a: {b: 7 * (a == b) for b in labels} for a in labels}, labels), 21, 2, Path("[x]:x:.pl"))
+    sys.modules[cli.train.__module__]._tell(
+        Evaluation(1.0, {0: 1.0}, {a: {b: 7 * (a == b) for b in labels} for a in labels}, labels), 21, Path("[x]:x:.pl"), False
+    )
     lines = capsys.readouterr().out.splitlines()
     assert lines[2].split() == ["true", "\\", "taken", "for", *labels]
     assert [line.split() for line in lines[3:6]] == [["a:x:b", "7", "·", "·"], ["[bold]", "·", "7", "·"], ["transportation", "·", "·", "7"]]
