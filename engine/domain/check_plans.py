@@ -7,17 +7,20 @@ found. Steps combine as the plan says: all of a sequence, one of a choice, none 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
+from functools import partial
 from itertools import count, islice
 from typing import TypeAlias
 
 from casper.engine.domain.domain import Domain
+from casper.engine.verification.conditions import Conditions
 from casper.engine.verification.history import in_plan_order
 from casper.engine.verification.matching import ROBOT
 from casper.kb.checks.finding import Finding, error, note, warning
 from casper.kb.errors import BudgetExceeded, CasperError, Place
+from casper.kb.reasons.why_not import Refusal
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Variable, as_term
 from casper.kb.terms.unification import Bindings, substitute, unify
@@ -35,14 +38,16 @@ _ANYBODY = Variable("Anybody", -1)
 
 @dataclass(frozen=True, slots=True)
 class _Obstacle:
-    """A step that is not valid, and why; without a step it is the goal that nothing allows."""
+    """A step that is not valid, or a condition that never holds, and why; without both it is the goal itself."""
 
     step: Compound | None
     place: Place
     reasons: tuple[str, ...]
+    condition: str = ""
 
     def __str__(self) -> str:
         shown = "" if self.step is None else f"nobody can do {term_text(as_term(self.step))}, because "
+        shown = f"{self.condition} never holds, because " if self.condition else shown
         return f"{shown}{'; '.join(self.reasons)}"
 
 
@@ -117,7 +122,8 @@ class _Tried:
         try:
             self.values = list(islice(_values(domain, plan), max(1, min(MOST_VALUES, MOST_TRIED // len(plan.leaves)))))
             self.rows = [_refusals(domain, plan, values, None) for values in self.values]
-            self.root = _judged(plan.root, self.rows, count())
+            refusing = partial(_never, Conditions(domain.kb), self.values)
+            self.root = _judged(plan.root, self.rows, count(), refusing)
             self.obstacle = self.root.obstacle if self.values else _forbidden(domain, plan)
         except BudgetExceeded:
             pass  # a search without an end keeps nobody from anything
@@ -153,14 +159,16 @@ class _Tried:
                 return
 
 
-def _judged(node: Node, rows: Sequence[Row], leaves: Iterator[int]) -> _Judged:
+def _judged(
+    node: Node, rows: Sequence[Row], leaves: Iterator[int], refusing: Callable[[Condition], Row]
+) -> _Judged:
     """The node with all below it; the leaves are counted from left to right."""
     if isinstance(node, Condition):
-        return _Judged(node, [None] * len(rows))
+        return _Judged(node, refusing(node) if rows else [])
     if isinstance(node, Action):
         leaf = next(leaves)
         return _Judged(node, [row[leaf] for row in rows])
-    children = tuple(_judged(child, rows, leaves) for child in node.children)
+    children = tuple(_judged(child, rows, leaves, refusing) for child in node.children)
     if isinstance(node, Shape) and node.kind == "choice":
         found = [each[0] if all(each) else None for each in zip(*(child.row for child in children))]
     else:
@@ -201,6 +209,16 @@ def _refusals(domain: Domain, plan: Plan, values: Bindings, agent: str | None) -
                 break
             refusal = refusal or _Obstacle(step, plan.actions[leaf].place, verdict.reasons)
         found.append(refusal)
+    return found
+
+
+def _never(conditions: Conditions, values: Sequence[Bindings], condition: Condition) -> Row:
+    """By value of the goal's parameters why a condition can never hold; one that looks back may hold some time."""
+    found: Row = []
+    for bindings in values:
+        answer = None if conditions.looks_back(condition.term) else conditions.ask(condition.term, bindings, ())
+        told = answer.reasons if isinstance(answer, Refusal) else None
+        found.append(None if told is None else _Obstacle(None, condition.place, told, condition.term.functor))
     return found
 
 

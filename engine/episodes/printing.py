@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Protocol
 
-from casper.engine.episodes.episode import Account, Episode
+from casper.engine.episodes.episode import Account, Episode, Needless
 from casper.engine.events.printing import shares_table
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
@@ -46,6 +46,18 @@ class Lives(Protocol):
         """What the last action most likely belongs to."""
 
     @property
+    def current(self) -> Mapping[str, float]:
+        """Each goal's probability that the last action belongs to it."""
+
+    @property
+    def rejected(self) -> Mapping[str, Sequence[str]]:
+        """Why a goal that is neither open nor begins with the last action does not take it."""
+
+    @property
+    def needless(self) -> Sequence[Needless]:
+        """What served no goal lately."""
+
+    @property
     def frontier(self) -> Sequence[Compound]:
         """What is yet to be done."""
 
@@ -64,15 +76,22 @@ def day_lines(day: Lives, top: int = 1) -> Iterator[Line]:
     yield line(Span(shown, "strong"), Span(f" {rule}" if rule else "", "faint"))
     kept = "" if day.is_exact else f", {day.left_out:.2g} of the weight left out"
     yield line(f"{day.states} hypothes{'is' if day.states == 1 else 'es'}{kept}")
-    table = shares_table(day.posterior, 13)
+    table, refused = shares_table(day.posterior, 13), _refused(day)
     for goal, share in table.shown:
-        yield line(f"  {goal:<{table.width}}", bar(share), f" {share:.2f}")
+        told = [Span(f"  not this: {'; '.join(refused[goal])}", "faint")] if refused.get(goal) else []
+        yield line(f"  {goal:<{table.width}}", bar(share), f" {share:.2f}", *told)
     yield from table.rest()
     yield line("last action: ", Span(day.leading, "outcome") if day.leading else "needless or undecided")
     for account in day.best(max(top, 0)):
         yield from account.lines()
     if day.frontier:
         yield line(f"yet to come: {', '.join(term_text(as_term(action)) for action in day.frontier)}")
+
+
+def _refused(day: Lives) -> Mapping[str, Sequence[str]]:
+    """Why no goal takes the last action, where the plans have it and none does."""
+    is_told = any(each.foreign and each.number == day.count for each in day.needless)
+    return {} if is_told or any(day.current.values()) else day.rejected
 
 
 def day_name(day: Lives) -> str:

@@ -6,7 +6,7 @@ may still fail. Sets of actions are bit masks (bit i = ``actions[i]``).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from heapq import heappop, heappush
 from math import inf
@@ -190,19 +190,47 @@ class Tables:
                 break
         return mask
 
+    @cached_property
+    def _from_below(self) -> Sequence[Indicator]:
+        """The tasks, each after those that it mentions, but for those that mention it in turn: so work is done once."""
+        needs: dict[Indicator, dict[Indicator, None]] = {task: {} for task in self.grammar.tasks}
+        for task, users in self._mentions()[0].items():
+            for user, _ in users:
+                needs[user][task] = None
+        found: dict[Indicator, None] = {}
+        begun: set[Indicator] = set()
+        for start in self.grammar.tasks:
+            path = [] if start in begun else [(start, iter(needs[start]))]
+            begun.add(start)
+            while path:
+                task, left = path[-1]
+                below = next((other for other in left if other not in begun), None)
+                if below is None:
+                    found[task] = None
+                    path.pop()
+                else:
+                    begun.add(below)
+                    path.append((below, iter(needs[below])))
+        return list(found)
+
     def _closure(self, mask_of: Callable[[Item, Mapping[Indicator, int]], int]) -> Mapping[Indicator, int]:
         """The least masks by task under which every method's is within its task's."""
         masks = dict.fromkeys(self.grammar.tasks, 0)
         mentions, _ = self._mentions()
-        waiting = dict.fromkeys(reversed(self.grammar.tasks))
-        while waiting:
-            task, _ = waiting.popitem()
+        order = self._from_below
+        rank = {task: at for at, task in enumerate(order)}
+        waiting, heap = set(order), list(range(len(order)))  # a sorted list is a heap
+        while heap:
+            task = order[heappop(heap)]
+            waiting.remove(task)
             mask = 0
             for method in self.grammar.methods(task):
                 mask |= mask_of(method.body, masks)
             if mask != masks[task]:
                 masks[task] = mask
-                waiting.update(dict.fromkeys(user for user, _ in mentions.get(task, ())))
+                for user in {user for user, _ in mentions.get(task, ())} - waiting:
+                    waiting.add(user)
+                    heappush(heap, rank[user])
         return masks
 
     @cached_property

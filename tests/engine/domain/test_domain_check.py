@@ -141,3 +141,8 @@ def test_a_price_that_makes_no_sense_is_an_error_with_its_place(tmp_path):
     (tmp_path / "plans.pl").write_text("g --> a, b.\nh --> b, a.\nsetting(plans, begin, 2).\n")
     (finding,) = [f for f in check_domain(tmp_path) if f.severity == "error"]
     assert finding.place.line == 3 and "a price is a number above 0 and below 1" in finding.message
+
+
+def test_a_condition_that_no_value_satisfies_makes_the_goal_impossible(tmp_path):
+    told = told_of(tmp_path, "goal(g). g --> {a(X), \\+ a(X)}, a.\n", "")
+    assert any(s == "error" and "the goal g cannot be pursued: {a(X), \\+ a(X)} never holds" in m for s, m in told)

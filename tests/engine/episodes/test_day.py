@@ -176,3 +176,39 @@ def test_prices_that_make_no_sense_are_refused_with_their_place(tmp_path, stated
 def test_a_price_that_is_none_is_refused(price):
     with pytest.raises(DomainError, match="a price is a number above 0 and below 1"):
         lived(needless=price)
+
+
+def test_a_condition_in_a_plan_is_asked_where_it_stands_and_says_why_not(tmp_path):
+    (tmp_path / "ontology.pl").write_text(
+        "human(ann). robot(rob). vessel(pot). vessel(pan). at(pan, sink).\npick(A, V) :- human(A), vessel(V). wash(A, V) :- human(A), vessel(V).\n"
+    )
+    (tmp_path / "plans.pl").write_text(
+        "goal(clean(_)). clean(V) --> {\\+ at(V, sink)}, pick(V), {did(pick(_, V), _)}, wash(V).\n"
+    )
+    from casper import Domain
+
+    day = Domain.load(tmp_path).day()
+    day.observe("pick(pan)")
+    assert day.leading is None and day.rejected == {"clean": ("at(pan, sink) holds",)}
+    assert "not this: at(pan, sink) holds" in str(day)
+    day.observe("pick(pot)")
+    day.observe("wash(pot)")
+    [episode] = day.episodes
+    assert (episode.outcome, episode.observations) == ("finished", (2, 3))
+
+
+def test_a_condition_that_looks_back_is_asked_of_what_had_happened_when_it_was_due(tmp_path):
+    (tmp_path / "ontology.pl").write_text(
+        "human(ann). robot(rob). vessel(pot). vessel(pan).\npick(A, V) :- human(A), vessel(V). wash(A, V) :- human(A), vessel(V). go(A) :- human(A).\n"
+    )
+    (tmp_path / "plans.pl").write_text("goal(clean(_)). clean(V) --> {did(pick(_, V), _)}, go, wash(V).\ngoal(tidy(_)). tidy(V) --> pick(V).\n")
+    from casper import Domain
+
+    day = Domain.load(tmp_path).day(most_missed=0)
+    for action in ("pick(pan)", "go", "pick(pot)", *["pick(pan)"] * 3, "wash(pot)"):
+        day.observe(action)
+    assert day.leading is None  # the pot was not picked yet when she went
+    other = Domain.load(tmp_path).day(most_missed=0)
+    for action in ("pick(pan)", "go", "pick(pot)", *["pick(pan)"] * 3, "wash(pan)"):
+        other.observe(action)
+    assert other.leading == "clean"

@@ -6,7 +6,7 @@ from casper.kb.base import KnowledgeBase
 from casper.kb.errors import PlanError, Undefined
 from casper.plans.grammar.expansion import Unlisted
 from casper.plans.library import PlanLibrary
-from casper.plans.networks.tables import NEVER
+from casper.plans.networks.tables import NEVER, Tables
 from casper.plans.relations import plan_clauses
 
 
@@ -72,3 +72,12 @@ def test_mistakes_of_a_library_that_is_not_listed_are_told_when_it_is_loaded(tex
     with pytest.raises(PlanError) as caught:
         PlanLibrary.from_text(text, "home.pl")
     assert sentence in str(caught.value) and caught.value.place.file == "home.pl"
+
+
+def test_each_task_of_a_chain_is_looked_at_once(monkeypatch):
+    library = PlanLibrary.from_text("goal(t0). " + " ".join(f"t{n} --> a, t{n + 1}." for n in range(300)) + " t300 --> z.")
+    looked, contained_in = [], Tables.contained_in
+    monkeypatch.setattr(Tables, "contained_in", lambda self, *given: looked.append(given) or contained_in(self, *given))
+    tables = Tables(library.tables.grammar)
+    assert tables.contained["t0", 0] == tables.bit["a", 0] | tables.bit["z", 0]
+    assert len(looked) == 301

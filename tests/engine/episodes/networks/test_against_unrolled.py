@@ -198,6 +198,23 @@ def test_a_library_of_more_plans_than_can_be_counted_is_grown_where_it_is_observ
     assert states and as_term(going.goal_of(next(iter(states)))) == "g"
 
 
+@pytest.mark.parametrize("body", ["t, t", "unordered(t, t)", "unordered(t, t, t)"])
+def test_ways_that_begin_alike_share_the_chance_of_their_action(body):
+    going = networks(f"goal(g(_, _)). g(_, _) --> {body}. t --> a(X), c(X). t --> a(X), d(X).", most_missed=0)
+    state = going.begin(0)
+    steps = going.steps(state, Observation("a", ("cup",)), None)
+    assert len(steps) > 1 and going.choices(state) == 1
+    assert sum(step.part for step in steps) == pytest.approx(1.0)
+
+
+def test_actions_that_are_open_beside_each_other_are_leaves_of_their_own():
+    going = networks("goal(g(_, _)). g(X, Y) --> z, unordered((a(X), b), (a(Y), c)).", most_missed=0)
+    [begun] = going.steps(going.begin(0), Observation("z", ()), None)
+    steps = going.steps(begun.state, Observation("a", ("cup",)), None)
+    assert going.choices(begun.state) == 2
+    assert [step.part for step in steps] == [1.0, 1.0]
+
+
 def test_what_is_nested_too_deeply_is_refused_in_a_sentence():
     rules = " ".join(f"t{n} --> t{n + 1}, t{n + 1} ; a, t{n + 1}." for n in range(500))
     going = networks(f"goal(g). g --> t0. {rules} t500 --> b ; c.", most_missed=0)
