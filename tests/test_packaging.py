@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("kb", "plans", "engine", "sim_adapter", "domains")
 DOORS = (  # rooms of src/casper itself
-    "cli", "server", "batch", "planning", "qsr", "testing", "notebook", "report", "lsp", "streams", "experiments",
+    "cli", "server", "batch", "planning", "qsr", "testing", "notebook", "report", "rrd", "lsp", "streams", "experiments",
 )  # fmt: skip
 
 
