@@ -24,7 +24,6 @@ from casper.engine.events.printing import Names, plan_lines, prediction_lines
 from casper.engine.movements.leaves import TIMED
 from casper.engine.movements.movements import Movement, movement_classifier
 from casper.engine.perception.about import About, Handled, about, about_nearby
-from casper.engine.perception.assumed import Assumed, assumed
 from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, Relations, perception_settings
 from casper.engine.perception.remembering.asked import Memories
@@ -36,6 +35,7 @@ from casper.engine.reading.course import Course
 from casper.engine.reading.reading import Reading
 from casper.engine.reading.segments import Segments
 from casper.engine.reading.stating import Stating
+from casper.engine.verification.assumed import Assumed, assumed
 from casper.engine.verification.history import Done, History, history_settings
 from casper.engine.verification.observation import Observation
 from casper.engine.verification.verification import Verifier

@@ -2,8 +2,8 @@
 
 from types import SimpleNamespace
 
-from casper.engine.perception.assumed import Assumed, assumed
 from casper.engine.perception.world import ObjectState, WorldState
+from casper.engine.verification.assumed import Assumed, assumed
 
 
 def judged(*moments, place=(0.0, 0.0)):
