@@ -25,7 +25,7 @@ from casper.engine.movements.leaves import TIMED
 from casper.engine.movements.movements import Movement, movement_classifier
 from casper.engine.perception.about import About, Handled, about, about_nearby
 from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
-from casper.engine.perception.perception import Perception, perception_settings
+from casper.engine.perception.perception import Perception, Relations, perception_settings
 from casper.engine.perception.remembering.asked import Memories
 from casper.engine.perception.remembering.memory import memory_settings
 from casper.engine.perception.told import focus_event, jumps
@@ -35,6 +35,7 @@ from casper.engine.reading.course import Course
 from casper.engine.reading.reading import Reading
 from casper.engine.reading.segments import Segments
 from casper.engine.reading.stating import Stating
+from casper.engine.verification.assumed import Assumed, assumed
 from casper.engine.verification.history import Done, History, history_settings
 from casper.engine.verification.observation import Observation
 from casper.engine.verification.verification import Verifier
@@ -110,6 +111,8 @@ class Mind:
         asked = Contexts(domain.kb), self.history, lambda: self.known
         self._stating = Stating(self.partner, *asked, self.verifier, self._begun, self._known_actions)
         self._refused: str | None = None  # the statement that was refused last: its verdict is told once
+        self._accepted: Observation | None = None  # the last action
+        self._assumed: Assumed | None = None  # where it is done, where that was not seen yet
         self._lost: Compound | None = None  # what was told last of what is forgotten
 
     @property
@@ -162,7 +165,20 @@ class Mind:
             events += [event.about(self.partner) for event in self._consider(prediction, about, world)]
         else:
             self.handled.update(relations)
-        return events
+        return [*events, *self._put_elsewhere(relations, world)]
+
+    def _put_elsewhere(self, relations: Relations, world: WorldState) -> list[Event]:
+        """What was taken to be brought to the one place where it may go, and was put down elsewhere, is taken back."""
+        made, action = self._assumed, self._accepted
+        was_put = None if made is None else made.update(relations, world)
+        if made is None or action is None or was_put is None:
+            return []
+        self._assumed = None
+        if was_put:
+            return []
+        self.history.forget(Compound((action.action, self.partner, *(action.args or ()))))
+        told = self.reading.tell.phrase("put elsewhere", made.target, made.place)
+        return list(self.course.refuted(action, world.t, told))
 
     def _about(self, focus: Focus, world: WorldState, handled: str | None) -> About:
         """What an action of this moment is about."""
@@ -244,7 +260,8 @@ class Mind:
         else:
             observation = Observation(statement.action, t=prediction.t)
         observation = replace(observation, certainty=min(prediction.score, 1.0))
-        self._refused = None
+        self._refused, self._accepted = None, observation
+        self._assumed = assumed(statement.destination, observation.args or ())
         self.actions.accept()
         yield from self._read(observation, prediction.t)
 

@@ -24,7 +24,7 @@ from casper.engine.collaboration.supervisor import AT_ONCE, Supervisor
 from casper.engine.events import Event
 from casper.engine.reading.reading import Reading
 from casper.engine.reading.segments import Begins, BySight, LeftOut, Segments
-from casper.engine.reading.underway import FINISHED, UNCLEAR, Underway
+from casper.engine.reading.underway import ABANDONED, FINISHED, UNCLEAR, Underway
 from casper.engine.verification.observation import Observation
 from casper.kb.errors import CasperError
 from casper.kb.terms.terms import Compound
@@ -147,6 +147,33 @@ class Course:
         if episode is not None:
             episode.supervisor.gives_up(action)
 
+    def refuted(self, observation: Observation, t: float, because: str) -> Iterator[Event]:
+        """What was read last of an episode was not done after all: it is taken back.
+
+        An episode of which nothing else was seen is given up, and the one goes on that it seemed to end. Where a day
+        says what belongs together (`by_day`) nothing is taken back.
+        """
+        last = (e for e in self.open_episodes if list(e.reading.observations[-1:]) == [observation])
+        episode = next(last, None) if isinstance(self.segments, BySight) else None
+        if episode is not None:
+            yield from _about(self.partner, self._taken_back(episode, t, because))
+
+    def _taken_back(self, episode: Underway, t: float, because: str) -> Iterator[Event]:
+        if len(episode.reading.observations) > 1:
+            episode.reading.undo()
+            yield Event("reading", t, episode.reading.to_json())
+            yield from episode.supervisor.update(t)
+            return
+        yield from episode.supervisor.withdraw(t, because)
+        yield from self._close(episode, ABANDONED, t, episode.last)
+        episode.reading.undo()
+        before = episode.instead_of
+        if before is not None and any(before is other for other, _ in self.aside) and self.current.begun is None:
+            yield from self._taken_up(before, t)
+            self.helped.remove(before)
+            self.current = before
+            yield from before.supervisor.update(t)
+
     def end(self, t: float) -> Iterator[Event]:
         """Nobody watches any more: what is open is over."""
         for episode in (*self.helped, self.current):
@@ -191,6 +218,7 @@ class Course:
         yield from before.supervisor.withdraw(t, told)
         outcome = before.outcome
         yield from self._close(before, outcome, t, before.last)
+        before.instead_of, self.current.instead_of = None, before
         if outcome != FINISHED:
             self.aside.append((before, self.rows[-1]))
 

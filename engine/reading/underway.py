@@ -24,6 +24,7 @@ class Underway:
     supervisor: Supervisor
     begun: float | None = None
     last: float = 0.0
+    instead_of: Underway | None = None  # the episode that its first action seemed to end
     numbers: set[int] = field(default_factory=set)  # of its observations since the day began, where somebody counts
 
     def read_anew(self, reading: Reading, numbers: set[int]) -> None:

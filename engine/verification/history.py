@@ -54,6 +54,12 @@ class History(list[Done]):
                 self.lost = self[0][0]
             del self[at or 0]
 
+    def forget(self, statement: Compound) -> None:
+        """It was not done, the last time that it was said to be."""
+        at = next((at for at in reversed(range(len(self))) if self[at][0] == statement), None)
+        if at is not None:
+            del self[at]
+
     def _repeated(self) -> int | None:
         """The oldest row whose statement was done again since."""
         last = {statement: at for at, (statement, _) in enumerate(self)}

@@ -108,6 +108,23 @@ def test_what_the_robot_failed_in_and_nobody_did_is_unclear():
     assert told(seen(day, "slice"), "episode") == [("episode", "tea", "unclear")]
 
 
+def test_what_was_not_done_after_all_is_taken_back_and_the_goal_that_it_seemed_to_end_goes_on():
+    day = course()
+    seen(day, "boil", "slice")
+    events = list(day.refuted(Observation("slice", ()), 3.0, "the bread was put elsewhere"))
+    assert told(events, "episode") == [("episode", "toast", "abandoned")]
+    assert [row[0] for row in rows(day)] == ["toast"] and day.current.goal == "tea"
+    assert told(seen(day, "pour", "drink", "rinse", after=5.0), "episode") == [("episode", "tea", "finished")]
+
+
+def test_of_several_actions_only_the_last_one_is_taken_back():
+    day = course()
+    seen(day, "boil", "pour")
+    list(day.refuted(Observation("pour", ()), 3.0, "the water was put elsewhere"))
+    assert [str(o) for o in day.current.reading.observations] == ["boil"]
+    assert list(day.refuted(Observation("slice", ()), 4.0, "nobody did that")) == []
+
+
 def test_steps_of_a_goal_that_is_come_back_to_may_have_gone_unseen():
     day = course()
     seen(day, "boil", "slice", "drink")
