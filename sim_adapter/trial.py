@@ -243,8 +243,8 @@ class Trial:
         """The least distance to people while the robot moved (m), and its speed then (m/s); None: it never did."""
         space = self.simulation.robot.space
         if space.least == math.inf:
-            return {"least_distance": None, "speed_then": None}
-        return {"least_distance": round(space.least, 3), "speed_then": round(space.speed, 3)}
+            return {"least_distance": None, "speed_at_least_distance": None}
+        return {"least_distance": round(space.least, 3), "speed_at_least_distance": round(space.speed, 3)}
 
     def _row(self, name: str) -> dict[str, Any]:
         """What became of one partner's goals: which they were, and whether they, and no others, were read as such."""
