@@ -180,7 +180,8 @@ class Simulation:
             self.robot.give_way(spot)
 
     def _send_away(self, human: Human, name: str | None, mover: RobotBase | HumanWalk) -> None:
-        if not mover.goals:  # somebody stands wherever one could stand
+        robot_stands = name is None and self.robot.space.pace == 0.0
+        if not mover.goals or robot_stands:  # somebody stands wherever one could stand, or too near for it to move
             human.do([Step("stand_aside")])
             return
         radius = self.scene.human_settings.radius

@@ -123,8 +123,9 @@ class RobotBase:
         stood = 0.0
         while abs(turn(bearing(self.place, point) - self.aim_yaw)) > 0.01:
             self.turn_to(bearing(self.place, point))
-            stood = stood + self._dt if self.space.pace == 0.0 else 0.0
+            self.held_up = stood = stood + self._dt if self.space.pace == 0.0 else 0.0
             if stood > self.settings.patience:
+                self.held_up = 0.0
                 raise StepFailed(self._why_not(None))
             yield
         self._turning = 0.0

@@ -135,8 +135,9 @@ class RobotHand:
             StepFailed: they stay for longer than the robot's patience.
         """
         self._stood = self._stood + self._dt if self.space.pace == 0.0 else 0.0
+        self.base.held_up = self._stood
         if self._stood > self.settings.patience:
-            self._stood = 0.0
+            self._stood = self.base.held_up = 0.0
             raise StepFailed(f"somebody stays within {self.settings.stop_distance:g} m")
         return self.space.pace
 

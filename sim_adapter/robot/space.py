@@ -18,11 +18,11 @@ from casper.sim_adapter.room.geometry import point_to_segment
 from casper.sim_adapter.room.placement import Spot
 from casper.sim_adapter.room.scene import Point
 
-MOVING = 0.02  # m/s of base or fingertips; what is slower stands (servos give way a little)
+MOVING = 0.03  # m/s of base or fingertips; what is slower stands (servos give way a little)
 ARM = 0.05  # radius of the arm on the floor plan
 HANDS = 0.10  # radii of a person's hand and of the gripper together
 FAR = 2.0  # metres between middles beyond which only the bases' outlines matter
-REACTION = 0.3  # seconds until the robot stands: an approaching person comes nearer meanwhile
+REACTION = 0.5  # seconds until the robot stands: an approaching person comes nearer meanwhile
 BRAKING = 0.15  # seconds at its speed that it rolls on once it shall stand
 SPARE = 0.01  # metres
 
