@@ -68,6 +68,7 @@ class Simulation:
         self._attention = Attention(self.sensor, self.robot.head, self.people)
         self._ticks = 0
         self.each_glance: Callable[[], object] = bool  # called whenever the robot looks after the partner
+        self._made_way: dict[str | None, float] = {}  # when somebody was let through last; None: the robot
         self._taken: dict[str, str] = {}  # which place somebody has gone to with something
 
     @property
@@ -115,6 +116,11 @@ class Simulation:
             and self.physics.speed(thing) < STILL_SPEED
         )
 
+    def is_at(self, thing: str | None, place: str | None) -> bool:
+        """Whether an object is at a place, in nobody's hand."""
+        where = self.physics.positions()
+        return self.physics.holder(str(thing)) is None and is_placed(self.scene, where, str(thing), str(place))
+
     def remove(self, thing: str) -> None:
         """Take a movable object out of the world (eaten up, say): no world state has it until it is put back."""
         self.physics.remove(thing)
@@ -154,45 +160,67 @@ class Simulation:
         return True
 
     def _make_way(self) -> None:
-        """Those of several people who have nothing to do make way for one who has waited for a while."""
-        idle = [human for human in self.people.values() if human.idle] if len(self.people) > 1 else []
+        """Those who have nothing to do make way for one who has waited for a while; the robot does for people."""
         movers: dict[str | None, RobotBase | HumanWalk] = {name: human.walk for name, human in self.people.items()}
-        for name, mover in {None: self.robot.base, **movers}.items() if idle else ():
-            if mover.held_up >= HELD_UP:
-                mover.held_up = 0.0 if name is not None else mover.held_up
-                for human in (h for h in idle if h.name != name and h.idle):
-                    self._send_away(human, name, mover)
+        for name, mover in {None: self.robot.base, **movers}.items():
+            waits = mover.held_up >= HELD_UP and not (name is None and self.robot.idle)
+            if not waits or self.time - self._made_way.get(name, -math.inf) < HELD_UP:
+                continue
+            self._made_way[name] = self.time
+            for human in (h for h in self.people.values() if h.name != name and h.idle):
+                self._send_away(human, name, mover)
+            if name is not None:
+                self._let_through(name, mover)
+
+    def _let_through(self, name: str, mover: RobotBase | HumanWalk) -> None:
+        """The robot drives to a spot where somebody who is held up gets by, when it is the robot that is in the way."""
+        base = self.robot.base
+        spot = self._spot_aside(name, mover, base.place, self.scene.robot_settings.radius, base.navigator, None)
+        if spot is not None:
+            self.robot.give_way(spot)
 
     def _send_away(self, human: Human, name: str | None, mover: RobotBase | HumanWalk) -> None:
-        place = mover.place if isinstance(mover, RobotBase) else mover.body.place
-        if not mover.goals:  # somebody stands wherever one could stand
+        robot_stands = name is None and self.robot.space.pace == 0.0
+        if not mover.goals or robot_stands:  # somebody stands wherever one could stand, or too near for it to move
             human.do([Step("stand_aside")])
             return
-        near = sorted(mover.goals, key=lambda goal: math.dist(goal, place))[:3]
-        radius = self.scene.human_settings.radius + mover.navigator.radius + APART
-        rest = [disc for disc in self._discs(name) if (disc.x, disc.y) != human.place]
-
-        def through(spot: Point) -> bool:
-            discs = [*rest, Disc(*spot, radius)]
-            return any(mover.navigator.path(place, goal, discs) is not None for goal in near)
-
-        spot = (
-            None
-            if through(human.place)
-            else spot_out_of_the_way(human.walk.navigator, human.place, self._discs(human.name), through)
-        )
+        radius = self.scene.human_settings.radius
+        spot = self._spot_aside(name, mover, human.place, radius, human.walk.navigator, human.name)
         if spot is not None:
             human.make_way(spot)
 
+    def _spot_aside(
+        self,
+        name: str | None,
+        mover: RobotBase | HumanWalk,
+        here: Point,
+        radius: float,
+        ways: Navigator,
+        who: str | None,
+    ) -> Point | None:
+        """Where ``who`` (None: the robot), who stands here, lets somebody through; None when that one has a way."""
+        place = mover.place if isinstance(mover, RobotBase) else mover.body.place
+        near = sorted(mover.goals, key=lambda goal: math.dist(goal, place))[:3]
+        apart = self.scene.robot_settings.keep_distance if None in (who, name) else APART
+        rest = [disc for disc in self._discs(name) if (disc.x, disc.y) != here]
+
+        def through(spot: Point) -> bool:
+            discs = [*rest, Disc(*spot, radius + mover.navigator.radius + apart)]
+            return any(mover.navigator.path(place, goal, discs) is not None for goal in near)
+
+        if not near or through(here):
+            return None
+        return spot_out_of_the_way(ways, here, self._discs(who), through)
+
     def _discs(self, name: str | None) -> list[Disc]:
         """What somebody keeps away from: the others. None is the robot."""
-        human, robot = self.scene.human_settings.radius, self.scene.robot_settings.radius
-        radius = robot if name is None else human
-        discs = [Disc(o.x, o.y, radius + human + APART) for o in self.people.values() if o.name != name]
-        if name is not None:
-            x, y, _ = self.robot.pose
-            discs.insert(0, Disc(x, y, radius + robot + APART))
-        return discs
+        human, robot = self.scene.human_settings.radius, self.scene.robot_settings
+        people = [person for person in self.people.values() if person.name != name]
+        if name is None:
+            return [Disc(person.x, person.y, robot.radius + human + robot.keep_distance) for person in people]
+        x, y, _ = self.robot.pose
+        others = (Disc(person.x, person.y, 2 * human + APART) for person in people)
+        return [Disc(x, y, human + robot.radius + APART), *others]
 
     @property
     def _apart(self) -> float:

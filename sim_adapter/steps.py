@@ -32,6 +32,11 @@ class Step:
         return f"{self.skill}({', '.join(names)})"
 
 
+def step_of(skill: str, step: Step) -> Step:
+    """Another skill with the objects of a step."""
+    return Step(skill, step.target, step.destination)
+
+
 def check_objects(scene: Scene, step: Step) -> None:
     """See that the objects of a step exist and can be used so.
 
@@ -55,15 +60,23 @@ class StepFailed(Exception):
     """Raised inside a skill that cannot be finished; the sentence says why. Agents catch and report it."""
 
 
+class Missed(StepFailed):
+    """What may well work when it is tried again: fingers beside the object, say."""
+
+
 @dataclass(slots=True)
 class StepQueue:
-    """Steps waiting, the one under way, those finished, those that failed (with the reason), those ended undone."""
+    """Steps waiting, the one under way, those finished, those that failed (with the reason), those ended undone.
+
+    ``found`` are the numbers of those among the finished ones that somebody else had done when their turn came.
+    """
 
     waiting: deque[Step] = field(default_factory=deque)
     current: Step | None = None
     done: list[Step] = field(default_factory=list)
     failed: list[tuple[Step, str]] = field(default_factory=list)
     ended: list[Step] = field(default_factory=list)
+    found: set[int] = field(default_factory=set)
 
     @property
     def idle(self) -> bool:

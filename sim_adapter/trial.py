@@ -5,6 +5,7 @@ partner (script) -> physics -> sensor -> world state -> mind -> events -> robot 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -22,6 +23,7 @@ from casper.sim_adapter.partners.behaviours.table import PLAIN, behaving, check_
 from casper.sim_adapter.partners.conduct import Conduct, Surroundings, plain
 from casper.sim_adapter.partners.goals import goals_of_partners
 from casper.sim_adapter.partners.partner import Partner, check_bodies
+from casper.sim_adapter.physics.stability import PhysicsFailed
 from casper.sim_adapter.room.facts import scene_of
 from casper.sim_adapter.room.scene import Scene
 from casper.sim_adapter.script import ScriptedAction
@@ -145,7 +147,24 @@ class Trial:
         return list(self.partner.pursuits[0].script)
 
     def events(self) -> Iterator[Event]:
-        """Everything that happens, as it happens; the last event is the ``summary``."""
+        """Everything that happens, as it happens; the last event is the ``summary``.
+
+        Where the simulated physics became unstable the trial ends there, and the summary says so (``ended``).
+        """
+        now, ended = 0.0, None
+        try:
+            for event in self._happens():
+                now = event.t
+                yield event
+        except PhysicsFailed as reason:
+            ended = str(reason)
+        now = now if ended else self.simulation.time
+        last = list(self.minds.end(now))
+        self.truth.see(last, is_end=True)
+        yield from last
+        yield self._summary(now, ended)
+
+    def _happens(self) -> Iterator[Event]:
         for partner in self.partners.values():
             partner.begin()
         self.each_step()
@@ -174,10 +193,6 @@ class Trial:
                 idle_since = now
             elif now - idle_since >= AFTERWARDS:
                 break
-        ended = list(self.minds.end(self.simulation.time))
-        self.truth.see(ended, is_end=True)
-        yield from ended
-        yield self._summary()
 
     def _heard(self, told: Sequence[Event]) -> None:
         """The partners hear what the robot announces and withdraws."""
@@ -207,20 +222,29 @@ class Trial:
 
     # --- the end ---------------------------------------------------------------------------------------------------
 
-    def _summary(self) -> Event:
+    def _summary(self, t: float, ended: str | None) -> Event:
         rows = [self._row(name) for name in self.partners]
         data = {**self.minds.summary(seed=self.settings.seed), **rows[0]}
         asked = [term_text(as_term(action)) for action in self.helper.asked]
         data["behaviour"] = {"names": list(self.behaviours), "told": list(self.partner.conduct.told)}
         data["truth"] = self.truth.summary(self.mind.partner)
-        data["robot"] = {"actions": asked, "done": self.helper.robot_done}
+        done = ended is None and self.helper.robot_done
+        data["robot"] = {"actions": asked, "done": done, **self._kept(), "gave_up": self.helper.reasons}
+        data |= {} if ended is None else {"ended": ended}
         if len(rows) > 1:
             parts = [self.helper.part_of(name) for name in self.partners]
             data["correct"] = all(row["correct"] for row in rows)
-            data["robot"]["done"] = all(part["done"] for part in parts)
+            data["robot"]["done"] = ended is None and all(part["done"] for part in parts)
             each = zip(self.partners, rows, parts)
             data["partners"] = [{"agent": name, **row, "robot": part} for name, row, part in each]
-        return Event("summary", self.simulation.time, data).about(self.mind.partner)
+        return Event("summary", t, data).about(self.mind.partner)
+
+    def _kept(self) -> dict[str, float | None]:
+        """The least distance to people while the robot moved (m), and its speed then (m/s); None: it never did."""
+        space = self.simulation.robot.space
+        if space.least == math.inf:
+            return {"least_distance": None, "speed_at_least_distance": None}
+        return {"least_distance": round(space.least, 3), "speed_at_least_distance": round(space.speed, 3)}
 
     def _row(self, name: str) -> dict[str, Any]:
         """What became of one partner's goals: which they were, and whether they, and no others, were read as such."""

@@ -110,6 +110,13 @@ setting(robot, stand_distance, 0.56).
 setting(robot, grasp_distance, 0.03).
 setting(robot, use_time,       5.0).
 setting(robot, patience,       60.0).
+% Among people, as gaps between outlines: ways keep away so far, the robot slows down within so far, to so many m/s, and
+% nothing of it moves within the last; and how often it tries again what went wrong.
+setting(robot, keep_distance,  0.2).
+setting(robot, slow_distance,  0.4).
+setting(robot, slow_speed,     0.25).
+setting(robot, stop_distance,  0.1).
+setting(robot, retries,        2).
 
 % The robot's eye: degrees, metres, degrees/s; noise is a standard deviation; drops and misreads are probabilities.
 setting(sensor, field_of_view, 95.0).

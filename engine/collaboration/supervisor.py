@@ -12,7 +12,7 @@ from typing import Any, Protocol
 from casper.engine.collaboration.acting import ActingSettings, sureness
 from casper.engine.collaboration.collaboration import CollaborativePlan
 from casper.engine.events import Event
-from casper.engine.events.telling import Telling
+from casper.engine.events.telling import Telling, sentence, will_do
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.explanation.situation import Situation
 from casper.engine.verification.observation import Seen, certainty_of
@@ -81,7 +81,9 @@ class Supervisor:
         self.actions: tuple[Compound, ...] = ()
         self.done: list[Compound] = []  # of what was announced, by the robot
         self.given_up: set[Compound] = set()  # what the robot could not do, and announces no more
+        self.is_withdrawn = False  # what was announced last was taken back
         self._made: CollaborativePlan | None = None  # the last one that was announced
+        self._said = ""  # the last sentence about what the robot does now
 
     @property
     def ready(self) -> bool:
@@ -141,9 +143,13 @@ class Supervisor:
     def withdraw(self, t: float, because: str) -> Iterator[Event]:
         """Give up what was announced and is not done yet; yields ``withdrawn`` where there is such a thing."""
         left, made = self.left, self._made
-        self.waiting, self.actions = (), ()
+        self.waiting, self.actions, self.is_withdrawn = (), (), True
         if left and made is not None:
             yield Event("withdrawn", t, {"agent": made.agent, "goal": made.goal, "because": because})
+            if self._said:
+                self._said, tell = "", self.reading.tell
+                text = tell.phrase("takes back", tell.name(made.agent), because)
+                yield Event("says", t, {"agent": made.agent, "goal": made.goal, "text": sentence(text)})
 
     def summary(self) -> dict[str, Any]:
         """The figures of the prediction, at the moment it was made (paper table "results")."""
@@ -213,7 +219,18 @@ class Supervisor:
             return
         if self._made is None or (plan.waiting, plan.actions) != (self.waiting, self.actions):
             self._made, self.waiting, self.actions = plan, plan.waiting, plan.actions
+            self.is_withdrawn = False
             yield Event("plan", t, {**plan.to_json(), "ready": self.ready})
+            yield from self._say(plan, t)
+
+    def _say(self, plan: CollaborativePlan, t: float) -> Iterator[Event]:
+        """What the robot does now, in a sentence, before it does it."""
+        if not self.ready or not self.left:
+            return
+        text = will_do(self.reading.tell, plan.agent, plan.goal, self.left)
+        if text != self._said:
+            self._said = text
+            yield Event("says", t, {"agent": plan.agent, "goal": plan.goal, "text": text})
 
 
 def _stand(explanation: Explanation | Interleaved, plan: CollaborativePlan) -> Situation | None:

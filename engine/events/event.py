@@ -17,6 +17,7 @@ TYPES = (
     "reading",
     "prediction",
     "plan",
+    "says",
     "withdrawn",
     "robot",
     "episode",

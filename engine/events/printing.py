@@ -156,6 +156,11 @@ def _around(phrase: str, name: Span) -> tuple[str, Span, str]:
     return before, name, after
 
 
+def says_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
+    """What the robot says aloud."""
+    yield _at(t, Span("» ", "outcome"), Span(data["text"], "strong"))
+
+
 def withdrawn_lines(t: float, data: Data, names: Names = NAMES) -> Iterator[Line]:
     """What the robot had announced and will not do."""
     tell = names.tell
@@ -292,6 +297,7 @@ _PRINTERS: dict[str, Callable[[float, Data, Names], Iterator[Line]]] = {
     "reading": _reading,
     "prediction": prediction_lines,
     "plan": _plan,
+    "says": says_lines,
     "withdrawn": withdrawn_lines,
     "episode": episode_lines,
     "robot": robot_lines,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -9,7 +10,8 @@ from casper.engine.events.phrases import PHRASES
 from casper.kb.errors import CasperError
 from casper.kb.reasons.phrases import phrased
 from casper.kb.reasons.says import SILENT, Words
-from casper.kb.terms.terms import Compound, Term
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import Compound, Term, as_term
 from casper.kb.text.reader import read_statement
 
 
@@ -73,6 +75,18 @@ class Telling:
 
 PLAIN = Telling()
 """Everything is told as the terms it is."""
+
+
+def will_do(tell: Telling, agent: str, goal: str, actions: Sequence[Compound]) -> str:
+    """What an agent says before it does its part of a goal: what it will do, and why."""
+    steps = tell.phrase("then").join(tell.step(term_text(as_term(action)), agent) for action in actions)
+    why = tell.phrase("goal", tell.goal(goal))
+    return sentence(tell.phrase("now" if tell.is_used else "will now", tell.name(agent), steps, why))
+
+
+def sentence(text: str) -> str:
+    """With a full stop, and a capital where it begins with a word."""
+    return f"{text[:1].upper()}{text[1:]}."
 
 
 @lru_cache(maxsize=4096)

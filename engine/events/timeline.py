@@ -46,6 +46,8 @@ class Timeline:
                 pass
             case "robot" if event.data["status"] == "asked":  # the plan told
                 pass
+            case "plan" if event.data.get("ready"):  # what the robot says tells
+                pass
             case _:
                 partner = str(event.data.get("partner", self.names.partner))  # whose it is, where there are several
                 yield from event.lines(replace(self.names, partner=partner))

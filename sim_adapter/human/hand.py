@@ -32,7 +32,8 @@ class HumanHand:
         x, y, z = self._grip(target)
         yield from self._to((x, y, z + 0.12), 0.8 * seconds, "pick")
         yield from self._to(self._grip(target), 0.2 * seconds, "pick")
-        self.physics.grasp(self.body.name, target)
+        if not self.physics.grasp(self.body.name, target):
+            raise StepFailed(f"{self.physics.holder(target)} holds {target}")
 
     def lift(self) -> Ticks:
         """Straight up, clear of what it stood on; towards the body it comes on the way."""

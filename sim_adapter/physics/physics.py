@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from casper.kb.errors import DomainError
 from casper.sim_adapter.physics.guided import Guided
 from casper.sim_adapter.physics.model import build_model, hand_name, hold_name
+from casper.sim_adapter.physics.stability import check_stable, keep_warnings_to_itself
 from casper.sim_adapter.room.placement import Spot, is_placed
 from casper.sim_adapter.room.scene import Scene
 
@@ -26,6 +27,7 @@ class Physics:
     """A compiled scene and its state. Positions are metres, angles radians, times seconds."""
 
     def __init__(self, scene: Scene) -> None:
+        keep_warnings_to_itself()
         self.scene = scene
         self.model: Any = build_model(scene)
         self.data: Any = mujoco.MjData(self.model)
@@ -106,8 +108,14 @@ class Physics:
         self.guided.aim(name, position, yaw, at_once=at_once)
 
     def step(self) -> None:
-        """One control step."""
+        """One control step.
+
+        Raises:
+            PhysicsFailed: the numbers ran away.
+        """
+        before = self.time
         self.guided.step(gliding=any(hand_name(agent) in self.guided for agent in self._held))
+        check_stable(self.model, self.data, before)
 
     def refresh(self) -> None:
         """Bring everything that is derived from the joints up to date without moving the clock."""
@@ -121,14 +129,28 @@ class Physics:
         """Who holds an object."""
         return next((agent for agent, held in self._held.items() if held == thing), None)
 
-    def grasp(self, agent: str, thing: str) -> None:
+    def grasp(self, agent: str, thing: str) -> bool:
         """Weld an object to an agent's hand exactly as the two lie now, so that nothing jumps.
 
-        What stands in a dish is held steady with it: people balance a carried plate, this simulation does not.
+        Whether it is held now: not while another hand holds it, since two welds pull against each other until the
+        numbers run away.
+
+        What stands in a dish is held steady with it, but for what another hand holds: people balance a carried plate,
+        this simulation does not.
         """
-        for name in (thing, *self.contents(thing)):
+        if self.holder(thing) not in (None, agent):
+            return False
+        steadied = [name for name in self.contents(thing) if self.holder(name) is None]
+        for name in (thing, *steadied):
+            self._let_go_of(name)
             self._weld(hand_name(agent), name, self._hold[hold_name(agent, name)])
         self._held[agent] = thing
+        return True
+
+    def _let_go_of(self, thing: str) -> None:
+        """End every weld of an object: who takes the food from a carried plate has it alone."""
+        for agent in (*self.scene.people, self.scene.robot):
+            self.data.eq_active[self._hold[hold_name(agent, thing)]] = 0
 
     def release(self, agent: str) -> None:
         """Let go of what the agent holds, if anything."""

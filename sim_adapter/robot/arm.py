@@ -51,9 +51,9 @@ class RobotArm:
         for joint, angle in zip(ARM, arm_angles(self.tool, self.lift) or ()):
             self.physics.set_joint(f"{self.name}:{joint}", angle)
 
-    def update(self) -> None:
-        """Aim all servos."""
-        most = LIFT_SPEED * self._dt
+    def update(self, pace: float = 1.0) -> None:
+        """Aim all servos; ``pace`` is the share of its speed at which the lift may move."""
+        most = LIFT_SPEED * self._dt * pace
         self._now += max(-most, min(most, self.lift - self._now))
         self._servo("lift", self._now)
         angles = arm_angles(self.tool, self.physics.joint(f"{self.name}:lift"), self.roll)

@@ -7,17 +7,24 @@ from collections.abc import Callable, Generator, Sequence
 from itertools import pairwise
 
 from casper.sim_adapter.physics.physics import Physics
+from casper.sim_adapter.robot.space import Space
 from casper.sim_adapter.room.geometry import Disc, bearing, in_the_way, turn
 from casper.sim_adapter.room.navigation import Navigator, length
 from casper.sim_adapter.room.scene import Point
-from casper.sim_adapter.steps import StepFailed, Ticks
+from casper.sim_adapter.steps import Missed, StepFailed, Ticks
 
 ACCELERATION = 0.8
 LAG = 0.3  # metres the base may stay behind its servos before something is wrong
+ASIDE = 3.0  # seconds it stays where it went to let somebody through
+
+
+def never() -> bool:
+    """Nothing happens that would change the way."""
+    return False
 
 
 class RobotBase:
-    """Pose and driving. ``others`` gives the discs to keep away from."""
+    """Pose and driving. ``others`` gives the discs to keep away from, ``space`` how fast it may be among people."""
 
     def __init__(
         self,
@@ -25,8 +32,10 @@ class RobotBase:
         navigator: Navigator,
         start: tuple[float, float, float],
         others: Callable[[], Sequence[Disc]],
+        space: Space,
     ) -> None:
         self.physics = physics
+        self.space = space
         self.name = physics.scene.robot
         self.settings = physics.scene.robot_settings
         self.navigator = navigator
@@ -35,6 +44,7 @@ class RobotBase:
         self._turning = 0.0
         self.held_up = 0.0  # seconds it has been waiting for a way
         self.goals: list[Point] = []  # where it wants to be
+        self.aside: Point | None = None  # where it shall go first, to let somebody through
         self.others = others
         self._dt = physics.scene.sim.control
         self._joints = tuple(f"{self.name}:{joint}" for joint in ("x", "y", "yaw"))
@@ -64,36 +74,69 @@ class RobotBase:
         dx, dy = point[0] - x, point[1] - y
         return math.cos(yaw) * dx + math.sin(yaw) * dy, -math.sin(yaw) * dx + math.cos(yaw) * dy, point[2]
 
-    def go(self, goals: Callable[[], list[Point]]) -> Ticks:
+    def go(self, goals: Callable[[], list[Point]], stale: Callable[[], bool] = never) -> Generator[None, None, bool]:
         """Drive to the nearest of the goals; waits and looks for another way while blocked.
 
+        Returns whether it is there: not when ``stale`` says that there is nothing to go there for any more.
+
         Raises:
-            StepFailed: no way within the robot's patience, or the base is stuck.
+            StepFailed: no way within the robot's patience. Missed: the base is stuck.
         """
-        self.held_up = 0.0
-        while True:
+        self.held_up, self.aside = 0.0, None
+        while not stale():
             self.goals = goals()
             path = self._best_path(self.goals)
-            if path is not None and (yield from self._follow(path)):
+            if path is not None and (yield from self._follow(path, stale)):
+                self.held_up = 0.0
+                yield from self.halt(0.3)
+                return True
+            if stale():
                 break
             self.held_up += 0.5
             if self.held_up > self.settings.patience:
-                raise StepFailed("there is no free way")
+                self.held_up = 0.0
+                raise StepFailed(self._why_not(path))
+            yield from self.stop()
             yield from self.halt(0.5)
+            yield from self.step_aside()
         self.held_up = 0.0
-        yield from self.halt(0.3)
+        yield from self.stop()
+        return False
+
+    def _why_not(self, path: Sequence[Point] | None) -> str:
+        """Why it does not get on."""
+        if self.space.pace == 0.0:
+            return f"somebody stands within {self.settings.stop_distance:g} m"
+        return "there is no free way" if path is None else "somebody is in the way"
+
+    def step_aside(self) -> Ticks:
+        """Where it was asked to let somebody through, drive out of their way and stay there for a moment."""
+        spot, self.aside = self.aside, None
+        path = None if spot is None else self.navigator.path((self.aim_x, self.aim_y), spot, self.others())
+        if path is not None:
+            yield from self._follow(path, never)
+            yield from self.stop()
+            yield from self.halt(ASIDE)
 
     def face(self, point: Point) -> Ticks:
         """Turn on the spot."""
+        stood = 0.0
         while abs(turn(bearing(self.place, point) - self.aim_yaw)) > 0.01:
             self.turn_to(bearing(self.place, point))
+            self.held_up = stood = stood + self._dt if self.space.pace == 0.0 else 0.0
+            if stood > self.settings.patience:
+                self.held_up = 0.0
+                raise StepFailed(self._why_not(None))
             yield
         self._turning = 0.0
 
     def turn_to(self, heading: float, share: float = 1.0) -> None:
-        """One control step of turning towards a heading."""
+        """One control step of turning towards a heading, slower among people: the arm turns with the base."""
+        if self.space.pace == 0.0:
+            self._stand()
+            return
         left = turn(heading - self.aim_yaw)
-        fastest = min(self.settings.turn_rate * share, 2.0 * abs(left) + 0.05)
+        fastest = min(self.settings.turn_rate * share * self.space.pace, 2.0 * abs(left) + 0.05)
         wanted = math.copysign(min(fastest, abs(left) / self._dt), left)
         change = 3.0 * self._dt
         self._turning += max(-change, min(change, wanted - self._turning))
@@ -107,14 +150,14 @@ class RobotBase:
                 best = path
         return best
 
-    def _follow(self, path: Sequence[Point]) -> Generator[None, None, bool]:
-        """Along a path, looking where it goes; False when somebody is in the way."""
+    def _follow(self, path: Sequence[Point], stale: Callable[[], bool]) -> Generator[None, None, bool]:
+        """Along a path, looking where it goes; False when somebody is in the way, or the way has become stale."""
         left = length(path)
         for start, corner in pairwise(path):
             left -= math.dist(start, corner)
             while math.dist((self.aim_x, self.aim_y), corner) > 1e-3:
-                if in_the_way((self.aim_x, self.aim_y), corner, self.others()):
-                    self.speed = 0.0
+                here = (self.aim_x, self.aim_y)
+                if self.space.pace == 0.0 or stale() or in_the_way(here, corner, self.others()):
                     return False
                 self._roll(corner, left)
                 yield
@@ -125,18 +168,32 @@ class RobotBase:
         """One control step towards a corner with ``beyond`` metres to go after it."""
         here = (self.aim_x, self.aim_y)
         if math.dist(here, self.place) > LAG:
-            raise StepFailed("the base is stuck")
+            raise Missed("the base is stuck")
         gap = math.dist(here, corner)
         way = bearing(here, corner)
         if gap + beyond > 0.3:
             self.turn_to(way)
         off = abs(turn(way - self.aim_yaw))
-        fast = min(self.settings.drive_speed * max(0.25, math.cos(off)), math.sqrt(2 * ACCELERATION * (gap + beyond)))
+        fast = self.settings.drive_speed * self.space.pace * max(0.25, math.cos(off))
+        fast = min(fast, math.sqrt(2 * ACCELERATION * (gap + beyond)))
         change = ACCELERATION * self._dt
         self.speed = max(self.speed - 2 * change, min(self.speed + change, max(fast, 0.03)))
         step = min(self.speed * self._dt, gap)
         self.aim_x += step * math.cos(way)
         self.aim_y += step * math.sin(way)
+
+    def stop(self) -> Ticks:
+        """Stand where it really is."""
+        self._stand()
+        yield
+
+    def _stand(self) -> None:
+        """The servos aim at where the base really is, but for what it rolls on while they take hold."""
+        if self.speed or self._turning:
+            x, y, yaw = self.pose
+            self.aim_x, self.aim_y = x, y
+            self.aim_yaw += turn(yaw - self.aim_yaw)
+        self.speed = self._turning = 0.0
 
     def halt(self, seconds: float) -> Ticks:
         """Stand for a while."""

@@ -9,9 +9,10 @@ from casper.sim_adapter.physics.grip import grip_of, touching
 from casper.sim_adapter.physics.physics import STILL_SPEED, Physics
 from casper.sim_adapter.robot.arm import HOME, RobotArm
 from casper.sim_adapter.robot.base import RobotBase
+from casper.sim_adapter.robot.space import Space
 from casper.sim_adapter.room.geometry import bearing, turn
 from casper.sim_adapter.room.placement import Spot, is_placed, place_spot
-from casper.sim_adapter.steps import StepFailed, Ticks
+from casper.sim_adapter.steps import Missed, StepFailed, Ticks
 
 CARRY_CLEAR = 0.95  # a carried object's underside is kept above this
 HOVER, TOUCH = 0.12, 0.004  # metres above its place at which an object is brought there, and let down to
@@ -19,15 +20,20 @@ SCRUBS, SWING, RISE = 3, 0.03, 0.02  # how often, how far and how much lifted a 
 
 
 class RobotHand:
-    """Skills of the arm; every one takes its time and raises StepFailed when it does not work."""
+    """Skills of the arm; every one takes its time and raises StepFailed when it does not work.
 
-    def __init__(self, physics: Physics, base: RobotBase, arm: RobotArm) -> None:
+    ``space`` says how fast the arm may be among people.
+    """
+
+    def __init__(self, physics: Physics, base: RobotBase, arm: RobotArm, space: Space) -> None:
         self.physics = physics
+        self.space = space
         self.scene = physics.scene
         self.name = self.scene.robot
         self.settings = self.scene.robot_settings
         self.base = base
         self.arm = arm
+        self._stood = 0.0  # seconds that the arm has stood because somebody was too near
         self._dt = self.scene.sim.control
 
     def home(self) -> Ticks:
@@ -52,13 +58,17 @@ class RobotHand:
         yield from self._pause(0.3)
         yield from self._wait(lambda: self.arm.fingers_still, 2.0)
         self._check_grasp(target, math.dist(self._tool(), goal()))
-        self.physics.grasp(self.name, target)
+        if not self.physics.grasp(self.name, target):
+            raise Missed(f"{self.physics.holder(target)} holds {target}")
 
     def take_up(self, target: str) -> Ticks:
-        """Lift, and draw back to where it is carried."""
+        """Lift, and draw back to where it is carried, unless it is there already."""
         x, y, z = self.arm.tool
         below = self._tool()[2] - self.physics.position(target)[2] + self.scene.thing(target).height / 2
-        height = max(z + 0.1, CARRY_CLEAR + below, HOME[2])
+        height = max(CARRY_CLEAR + below, HOME[2])
+        if math.hypot(x - HOME[0], y) < 0.01 and z > height - 0.02:
+            return
+        height = max(z + 0.1, height)
         yield from self._glide(lambda: (x, y, height))
         self.arm.aim_lift(height)
         yield from self._glide(lambda: (HOME[0], 0.0, height))
@@ -68,7 +78,7 @@ class RobotHand:
         spot = place_spot(self.scene, self.physics.positions(), target, destination, self.base.place)
         yield from self.lay(target, spot)
         if not is_placed(self.scene, self.physics.positions(), target, destination):
-            raise StepFailed(f"{target} did not come to rest at {destination}")
+            raise Missed(f"{target} did not come to rest at {destination}")
 
     def lay(self, target: str, spot: Spot) -> Ticks:
         """Bring what is held to a spot, and let go."""
@@ -106,8 +116,10 @@ class RobotHand:
         start = self.physics.position(target)
         side = bearing(self.base.place, start[:2]) + math.pi / 2
         ticks = round(self.settings.use_time / self._dt)
-        for tick in range(ticks):
+        tick = 0.0
+        while tick < ticks:
             share = tick / ticks
+            tick += self._pace()
             swing = SWING * math.sin(2 * math.pi * SCRUBS * share)
             rise = RISE * min(1.0, 8 * share, 8 * (1 - share))
             spot = (start[0] + swing * math.cos(side), start[1] + swing * math.sin(side), start[2] + rise)
@@ -116,15 +128,28 @@ class RobotHand:
             yield
         yield from self._tool_to(lambda: self._tool_for(target, _above(start, TOUCH)))
 
+    def _pace(self) -> float:
+        """The share of its speed that the arm has at this control step, 0 while somebody is too near.
+
+        Raises:
+            StepFailed: they stay for longer than the robot's patience.
+        """
+        self._stood = self._stood + self._dt if self.space.pace == 0.0 else 0.0
+        self.base.held_up = self._stood
+        if self._stood > self.settings.patience:
+            self._stood = self.base.held_up = 0.0
+            raise StepFailed(f"somebody stays within {self.settings.stop_distance:g} m")
+        return self.space.pace
+
     def _check_grasp(self, target: str, off: float) -> None:
         if off > self.settings.grasp_distance:
-            raise StepFailed(f"the gripper is {off * 100:.0f} cm away from {target}")
+            raise Missed(f"the gripper is {off * 100:.0f} cm away from {target}")
         if not touching(self.physics, self.name, target):
-            raise StepFailed(f"the fingers closed beside {target}")
+            raise Missed(f"the fingers closed beside {target}")
 
     def _check_reach(self) -> None:
         if not self.arm.reachable:
-            raise StepFailed("the arm does not reach there")
+            raise Missed("the arm does not reach there")
 
     def _tool(self) -> Spot:
         x, y, z = self.physics.site(f"{self.name}:tool")
@@ -150,10 +175,15 @@ class RobotHand:
         yield from self._glide(lambda: self.base.local(goal()))
 
     def _glide(self, goal: Callable[[], Spot]) -> Ticks:
-        """Fingertips to a point of the base frame, smoothly (least jerk) and in a straight line."""
+        """Fingertips to a point of the base frame, smoothly (least jerk) and in a straight line.
+
+        Slower among people; while one is too near they stand, and when that one stays the skill fails.
+        """
         start, end = self.arm.tool, goal()
         ticks = max(10, round(1.9 * math.dist(start, end) / self.settings.reach_speed / self._dt))
-        for tick in range(1, ticks + 1):
+        tick = 0.0
+        while tick < ticks:
+            tick = min(ticks, tick + self._pace())
             t = tick / ticks
             share = t * t * t * (10 - 15 * t + 6 * t * t)
             x, y, z = (a + share * (b - a) for a, b in zip(start, end))

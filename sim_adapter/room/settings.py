@@ -36,7 +36,12 @@ class HumanSettings:
 
 @dataclass(frozen=True, slots=True)
 class RobotSettings:
-    """The robot: metres, m/s, rad/s, seconds; ``patience`` is how long one part of a skill may take."""
+    """The robot: metres, m/s, rad/s, seconds; ``patience`` is how long one part of a skill may take.
+
+    Among people, as gaps between outlines (`sim_adapter.robot.space`): ways keep ``keep_distance`` from them, within
+    ``slow_distance`` the robot slows down, to ``slow_speed`` (its base; the arm by the same share), within
+    ``stop_distance`` nothing of it moves. ``retries``: how often a grasp or a placement that went wrong is tried again.
+    """
 
     radius: float = 0.28
     drive_speed: float = 0.6
@@ -46,6 +51,11 @@ class RobotSettings:
     grasp_distance: float = 0.03
     use_time: float = 5.0
     patience: float = 60.0
+    keep_distance: float = 0.2
+    slow_distance: float = 0.4
+    slow_speed: float = 0.25
+    stop_distance: float = 0.1
+    retries: float = 2
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from simulated_kitchen import SCRIPTS, kitchen_scene, put, run_until_idle
 from casper.engine.perception.world import world_state_from_json, world_state_to_json
 from casper.kb.errors import DomainError
 from casper.sim_adapter.physics.model import build_model, build_spec
+from casper.sim_adapter.physics.stability import PhysicsFailed
 from casper.sim_adapter.simulation import Simulation
 
 
@@ -120,3 +121,54 @@ def test_a_finer_timestep_is_stable_too():
     simulation.human.do(SCRIPTS["breakfast"])
     run_until_idle(simulation)
     assert simulation.rests_in("plate", "sink") and simulation.physics.warnings == 0
+
+
+# --- physics that runs away ---------------------------------------------------------------------------------------------
+
+
+def test_two_hands_never_hold_the_same_thing():
+    physics = Simulation(kitchen_scene(), seed=0).physics
+    assert physics.grasp("human", "plate")
+    assert not physics.grasp("tiago", "plate")
+    assert physics.holder("plate") == "human"
+
+
+def test_who_takes_the_food_from_a_carried_plate_has_it_alone():
+    physics = Simulation(kitchen_scene(), seed=0).physics
+    x, y, z = physics.position("plate")
+    physics._move("meal", (x, y, z + 0.03, 1.0, 0.0, 0.0, 0.0))
+    assert physics.contents("plate") == ["meal"]
+    physics.grasp("human", "plate")
+    physics.grasp("tiago", "meal")
+    assert [physics.model.equality(i).name for i in physics.data.eq_active.nonzero()[0]] == ["human:hold:plate", "tiago:hold:meal"]
+
+
+def test_a_plate_is_taken_without_the_food_that_another_hand_holds():
+    physics = Simulation(kitchen_scene(), seed=0).physics
+    x, y, z = physics.position("plate")
+    physics._move("meal", (x, y, z + 0.03, 1.0, 0.0, 0.0, 0.0))
+    physics.grasp("human", "meal")
+    physics.grasp("tiago", "plate")
+    assert [physics.model.equality(i).name for i in physics.data.eq_active.nonzero()[0]] == ["human:hold:meal", "tiago:hold:plate"]
+
+
+@pytest.mark.parametrize("speed", [float("nan"), 1e12, 500.0])
+def test_numbers_that_run_away_end_the_simulation_with_a_sentence_and_no_file(speed, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    simulation = Simulation(kitchen_scene(), seed=0)
+    simulation.advance(0.5)
+    physics = simulation.physics
+    physics.data.qvel[physics._dof["plate"]] = speed
+    with pytest.raises(PhysicsFailed, match=r"the simulated physics became unstable after 0.5 s at plate, .*timestep"):
+        simulation.advance(0.1)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_handler_of_mujocos_warnings_that_somebody_has_set_stays():
+    before, told = mujoco.get_mju_user_warning(), []
+    try:
+        mujoco.set_mju_user_warning(told.append)
+        Simulation(kitchen_scene(), seed=0)
+        assert mujoco.get_mju_user_warning() == told.append
+    finally:
+        mujoco.set_mju_user_warning(before)

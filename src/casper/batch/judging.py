@@ -85,6 +85,8 @@ def _judged(trial: Trial, events: list[Event]) -> dict[str, Any]:
     robot, truth = told["robot"], told["truth"]
     pursuits = [pursuit for partner in trial.partners.values() for pursuit in partner.pursuits]
     goals = {goal for pursuit in pursuits for goal in pursuit.stretch.goals}
+    if "ended" in told:
+        raise CasperError(told["ended"])
     announced = [event.data["goal"] for event in events if event.type == "prediction"]
     failures = [event.data for event in events if event.type == "robot" and event.data["status"] == "failed"]
     reasons = robot.get("gave_up") or [data.get("reason", "") for data in failures]

@@ -1,6 +1,7 @@
 """The robot's part: the longest run of what is yet to be done that it can do, whatever order the plan leaves open."""
 
-from itertools import combinations
+from itertools import combinations, pairwise
+from unittest.mock import ANY
 
 import pytest
 from hypothesis import given
@@ -109,8 +110,38 @@ def supervised(text, can, *seen, **options):
     told = []
     for t, action in enumerate(seen):
         reading.observe(action)
-        told.append([(e.type, e.data.get("waiting"), e.data.get("actions")) for e in supervisor.update(float(t))])
+        events = [e for e in supervisor.update(float(t)) if e.type != "says"]
+        told.append([(e.type, e.data.get("waiting"), e.data.get("actions")) for e in events])
     return supervisor, told
+
+
+def said_of(text, can, *seen):
+    """What the robot says, with the type of the event before it."""
+    library = PlanLibrary.from_text(text)
+    capability = lambda e, leaf, _: (e.leaves[leaf], e.leaves[leaf][0] in can)  # noqa: E731
+    reading = Reading(library, NameMatcher(library.ways), best, capability)
+    supervisor, events = Supervisor(reading, "robot"), []
+    for t, action in enumerate(seen):
+        reading.observe(action)
+        events += supervisor.update(float(t))
+    return supervisor, [(before.type, e.data["text"]) for before, e in pairwise(events) if e.type == "says"]
+
+
+def test_the_robot_says_in_a_sentence_what_it_will_do_when_its_turn_has_come_and_once_only():
+    _, said = said_of("goal(g). goal(h). g --> a, b, wash, dry, optional(c). h --> other.", ("wash", "dry"), "a", "b", "c")
+    assert said == [("plan", "Robot will now do wash, then dry, since the goal is g.")]
+
+
+def test_the_robot_says_nothing_while_it_waits():
+    assert said_of("goal(g). goal(h). g --> a, b, wash. h --> other.", ("wash",), "a") == (ANY, [])
+
+
+def test_what_it_has_said_it_takes_back_in_a_sentence_and_only_then():
+    supervisor, _ = said_of("goal(g). goal(h). g --> a, wash. h --> other.", ("wash",), "a")
+    withdrawn, says = supervisor.withdraw(2.0, "the goal is h by now")
+    assert (withdrawn.type, says.data["text"]) == ("withdrawn", "Robot does none of that now: the goal is h by now.")
+    quiet, _ = said_of("goal(g). goal(h). g --> a, b, wash. h --> other.", ("wash",), "a")
+    assert [event.type for event in quiet.withdraw(2.0, "the goal is h by now")] == ["withdrawn"]
 
 
 def test_the_supervisor_waits_for_less_whatever_order_the_partner_chooses():

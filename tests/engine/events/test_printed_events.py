@@ -24,6 +24,7 @@ READING = Event(
 )  # fmt: skip
 PREDICTION = Event("prediction", 15.0, {"goal": "lunch", "observed": 1, "missed": 0})
 PLAN = Event("plan", 15.0, {"agent": "tim", "waiting": ["eat(meal)"], "actions": ["wash(p)", "go"]})
+SAYS = Event("says", 15.0, {"agent": "tim", "goal": "lunch", "text": "Tim will now do wash(p), since the goal is [x]."})
 ASKED = Event("robot", 16.0, {"status": "asked", "action": "wash(p)"})
 FAILED = Event("robot", 20.0, {"status": "failed", "action": "wash(p)", "reason": "it slipped"})
 WITHDRAWN = Event("withdrawn", 26.5, {"agent": "tim", "partner": "ann", "goal": "lunch", "because": "ann went over to [x]"})
@@ -54,6 +55,7 @@ SHOWN = [
     ),
     (PREDICTION, ["  15.0  ★ the goal is lunch (1 action seen, 0 missed)"]),
     (PLAN, ["  15.0  tim waits for eat(meal)", "        and will then wash(p), then go"]),
+    (SAYS, ["  15.0  » Tim will now do wash(p), since the goal is [x]."]),
     (ASKED, ["  16.0  ▷ the robot asked wash(p)"]),
     (FAILED, ["  20.0  ✘ the robot failed wash(p): it slipped"]),
     (WITHDRAWN, ["  26.5  ✗ tim withdraws its part in lunch", "        ann went over to [x]"]),

@@ -107,7 +107,7 @@ def test_using_what_is_elsewhere_fails_and_takes_the_later_steps_with_it():
     simulation.advance(0.5)
     assert [reason for _, reason in simulation.robot.failed] == [
         "plate is not at sink",
-        "what comes before it failed",
+        "use(plate, sink) comes before it: plate is not at sink",
     ]
     assert simulation.robot.idle
 
@@ -128,7 +128,7 @@ def test_something_the_human_keeps_in_the_hand_is_given_up_after_a_while():
     simulation.physics.grasp("human", "plate")
     simulation.robot.do([put("plate", "sink")])
     simulation.advance(kitchen_scene().robot_settings.patience + 1.0)
-    assert simulation.robot.failed[0][1] == "somebody keeps holding plate"
+    assert simulation.robot.failed[0][1] == "human keeps holding plate"
 
 
 @pytest.mark.parametrize("step", [Step("stand_aside"), put("sink", "plate"), put("plate", "meal")])
