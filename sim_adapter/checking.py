@@ -16,6 +16,7 @@ from casper.engine.domain.relations import SCENE_RELATIONS
 from casper.engine.movements.leaves import MOVEMENTS
 from casper.kb.checks.finding import Finding, Severity, error, note, sorted_findings, warning
 from casper.kb.errors import CasperError, Place
+from casper.kb.terms.clauses import Indicator
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
 from casper.plans.trees.plan import Plan
@@ -64,7 +65,8 @@ def scene_findings(domain: Domain) -> Iterator[Finding]:
 
 
 def _nothing_to_see_with(domain: Domain, place: Place) -> Iterator[Finding]:
-    for indicators, what in (((("transition", 4),), "actions"), (MOVEMENTS, "movements")):
+    wanted: dict[str, tuple[Indicator, ...]] = {"actions": (("transition", 4),), "movements": MOVEMENTS}
+    for what, indicators in wanted.items():
         if not any(domain.kb.clauses_of(indicator) for indicator in indicators):
             advice = 'write :- include("household.pl"). in actions.pl'
             yield error(place, f"there is a room, and nothing says how {what} are made out in it; {advice}")

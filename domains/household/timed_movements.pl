@@ -180,3 +180,9 @@ emission(walk, place, 0.0055).
 emission(walk, still, 0.0274).
 emission(walk, transport, 0.0085).
 emission(walk, walk, 0.9129).
+
+% lasts(Movement, Seconds, Phases): mean time, and how regular it is.
+lasts(pick, 3.8, 3).
+lasts(place, 2.7, 3).
+lasts(transport, 4.0, 3).
+lasts(walk, 2.9, 3).
