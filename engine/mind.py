@@ -13,7 +13,8 @@ from functools import partial
 from typing import Any
 
 from casper.engine.actions.actions import action_recogniser
-from casper.engine.actions.contexts import Contexts
+from casper.engine.actions.contexts import Contexts, skills_of
+from casper.engine.actions.expecting import weights
 from casper.engine.actions.prediction import Prediction
 from casper.engine.collaboration.acting import acting_settings
 from casper.engine.collaboration.supervisor import Supervisor
@@ -22,25 +23,27 @@ from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.engine.events.printing import Names, plan_lines, prediction_lines
 from casper.engine.movements.leaves import TIMED
-from casper.engine.movements.movements import Movement, movement_classifier
-from casper.engine.perception.about import About, Handled, about, about_nearby
+from casper.engine.movements.movements import movement_classifier
+from casper.engine.perception.about import About, Handled, about
 from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, Relations, perception_settings
 from casper.engine.perception.remembering.asked import Memories
 from casper.engine.perception.remembering.memory import memory_settings
 from casper.engine.perception.told import focus_event, jumps
 from casper.engine.perception.tracking import Tracker, tracker_settings
-from casper.engine.perception.world import WorldState
+from casper.engine.perception.world import Doubt, WorldState
 from casper.engine.reading.course import Course
+from casper.engine.reading.doubting import SURE, Doubting
 from casper.engine.reading.reading import Reading
 from casper.engine.reading.segments import Segments
+from casper.engine.reading.stages import movement_event, verdict_event
 from casper.engine.reading.stating import Stating
 from casper.engine.verification.assumed import Assumed, assumed
+from casper.engine.verification.doubtful import Judged
 from casper.engine.verification.history import Done, History, history_settings
-from casper.engine.verification.observation import Observation
+from casper.engine.verification.observation import Observation, Seen
 from casper.engine.verification.verification import Verifier
 from casper.kb.base import KnowledgeBase
-from casper.kb.reasons.validity import Verdict
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.lines import Line, Span, line, one_line, text_of
@@ -97,7 +100,8 @@ class Mind:
         self.focus = FocusEstimator(focus_settings(rows))
         self.handled = Handled()
         self.movements = movement_classifier(rows, domain.kb.clauses_of(TIMED))
-        self.actions = action_recogniser(rows)
+        self._known_actions, self._skills = {name for name, _ in domain.library.actions}, skills_of(domain.kb)
+        self.actions = action_recogniser(rows, None, self._skills, self._known_actions)
         self.history = history if history is not None else History(history_settings(rows).remembered)
         self.memories = memories if memories is not None else Memories(memory_settings(rows))
         self._remembers = bool(domain.kb.asks_outside)
@@ -107,9 +111,9 @@ class Mind:
         self._fresh = partial(domain.reading, **choices, partner=self.partner)
         acting, robot = acting_settings(rows, certainty), domain.robot if helps else None
         self.course = Course(self.partner, robot, self._begun, segments, stops=stops, acting=acting)
-        self._known_actions = {name for name, _ in domain.library.actions}
         asked = Contexts(domain.kb), self.history, lambda: self.known
         self._stating = Stating(self.partner, *asked, self.verifier, self._begun, self._known_actions)
+        self.doubting: Doubting | None = None  # where the tracker is not sure of what it tells
         self._refused: str | None = None  # the statement that was refused last: its verdict is told once
         self._accepted: Observation | None = None  # the last action
         self._assumed: Assumed | None = None  # where it is done, where that was not seen yet
@@ -158,13 +162,13 @@ class Mind:
             return []
         focus = self.focus.update(relations)
         movement = self.movements.update(relations, focus)
-        events = [event.about(self.partner) for event in (focus_event(focus), _movement_event(movement))]
-        prediction = self.actions.update(movement)
+        events = [event.about(self.partner) for event in (focus_event(focus), movement_event(movement))]
+        prediction, handled = self.actions.update(movement), self.handled.update(relations)
+        if relations.doubt is not None:
+            events += [event.about(self.partner) for event in self._doubt(focus, world, relations.doubt)]
         if prediction is not None:
-            about = self._about(focus, world, self.handled.update(relations))
+            about = self._about(focus, world, handled)
             events += [event.about(self.partner) for event in self._consider(prediction, about, world)]
-        else:
-            self.handled.update(relations)
         return [*events, *self._put_elsewhere(relations, world)]
 
     def _put_elsewhere(self, relations: Relations, world: WorldState) -> list[Event]:
@@ -182,9 +186,6 @@ class Mind:
 
     def _about(self, focus: Focus, world: WorldState, handled: str | None) -> About:
         """What an action of this moment is about."""
-        agent = world.agents.get(self.partner)
-        if agent is not None and agent.grasp is not None:
-            return about_nearby(focus, self.handled.lately(world.t), agent, world)
         if self.focus.settings.steady:
             return about(focus, handled, world)
         return About(focus.target, (focus.destination,))
@@ -235,8 +236,42 @@ class Mind:
     def __repr__(self) -> str:
         return one_line(f"Mind that watches {self.partner} in {self.domain.name}: {self.reading!r}")
 
+    def _doubt(self, focus: Focus, world: WorldState, doubt: Doubt) -> Iterator[Event]:
+        """The tracker is not sure of what it tells: what actions may be about is noted, and what is used up."""
+        if self.doubting is None:
+            self.doubting = Doubting(self._stating, self._skills, self.domain.kb.rows("consumes", 1))
+            self.course.be_sure(SURE)
+        self.doubting.note(self.actions.scores, focus, self.handled.lately(world.t), world, doubt)
+        if self.doubting.is_gone(world):
+            found = self.doubting.used_up(world, self.reading.next_actions)
+            yield from self._take(self.doubting, found, 1.0, world.t)
+
+    def _take(self, doubting: Doubting, found: Judged | None, score: float, t: float) -> Iterator[Event]:
+        """What seems to have happened is passed on to the reading."""
+        if found is None or str(found.statement) == self._refused:
+            return
+        yield self._action_event(str(found.statement), score, t)
+        if found.verdict is not None:
+            yield verdict_event(t, found.verdict)
+        if found.seen is None:
+            self._refused = str(found.statement)
+            return
+        if self.verifier is not None and found.verdict is not None:
+            self._earlier = tuple(self.verifier.looked_at)
+            self.verifier.accept(found.verdict, t)
+        seen = found.seen
+        seen = replace(seen, certainty=min(score, 1.0)) if isinstance(seen, Observation) else seen
+        self._refused = None
+        self.actions.accept()
+        doubting.accepted()
+        yield from self._read(seen, t)
+        self.actions.expect(weights(self.reading.next_actions, self._skills, self.actions.scores))
+
     def _consider(self, prediction: Prediction, about: About, world: WorldState) -> Iterator[Event]:
         """An action seems to have happened: put it into context, verify it, and pass it on to the reading."""
+        if self.doubting is not None:
+            yield from self._take(self.doubting, self.doubting.judged(prediction), prediction.score, prediction.t)
+            return
         before = self._stating.doubt
         statement = self._stating.of(prediction, about, world)
         if statement is None:
@@ -245,13 +280,11 @@ class Mind:
             return  # not yet known what it means; the prediction stands, and the next step may tell
         if str(statement) == self._refused:
             return
-        misread = [asdict(each) for each in self.actions.misread()]
-        data = {"statement": str(statement), "score": prediction.score, "misread": misread}
-        yield Event("action", prediction.t, data)
+        yield self._action_event(str(statement), prediction.score, prediction.t)
         observation: Observation | None
         if self.verifier is not None:
             verdict = self.verifier.judge(statement)
-            yield _verdict_event(prediction.t, verdict)
+            yield verdict_event(prediction.t, verdict)
             if not verdict.valid:
                 self._refused = str(statement)
                 return
@@ -265,7 +298,11 @@ class Mind:
         self.actions.accept()
         yield from self._read(observation, prediction.t)
 
-    def _read(self, observation: Observation, t: float) -> Iterator[Event]:
+    def _action_event(self, statement: str, score: float, t: float) -> Event:
+        misread = [asdict(each) for each in self.actions.misread()]
+        return Event("action", t, {"statement": statement, "score": score, "misread": misread})
+
+    def _read(self, observation: Seen, t: float) -> Iterator[Event]:
         if observation.action not in self._known_actions:
             yield Event("warning", t, {"message": f"{observation} is in no plan; it explains nothing"})
             return
@@ -279,17 +316,3 @@ class Mind:
             self._lost = lost
             room = f"setting(verification, remembered, {self.history.most}) leaves no room for it"
             yield Event("warning", t, {"message": f"did/2 no longer has {term_text(as_term(lost))}: {room}"})
-
-
-def _movement_event(movement: Movement) -> Event:
-    return Event("movement", movement.t, {"movement": movement.name, "features": movement.features._asdict()})
-
-
-def _verdict_event(t: float, verdict: Verdict) -> Event:
-    data = {
-        "statement": term_text(as_term(verdict.statement)),
-        "valid": verdict.valid,
-        "completed": term_text(as_term(verdict.completed)),
-        "reasons": list(verdict.reasons),
-    }
-    return Event("verdict", t, data)

@@ -4,7 +4,8 @@
         [--out FILE.csv] [--plot FILE.png]
 
 Right: the last goal announced is what the partner wants. Helped: the robot's part is physically finished. Wrong: trials
-in which another goal was ever announced, or the robot did what is no step of the partner's plan.
+in which another goal was ever announced, or the robot did what is no step of the partner's plan, or set off before the
+partner had begun the last step of their own.
 """
 
 import argparse
@@ -52,11 +53,20 @@ def trial(row: str, seed: int) -> dict[str, object]:
     for event in made.events():
         if event.type == "prediction":
             wrong = wrong or event.data["goal"] != goal
+        if event.type == "robot" and event.data["status"] == "asked":
+            wrong = wrong or not last_is_begun(made)
         last = event
     wrong = wrong or any(str(action) not in steps for action in made.helper.asked)
     told = last.data
     figures = {"right": told["correct"], "helped": told["robot"]["done"], "wrong": wrong}
     return {"row": row, "seed": seed, "goal": goal, **figures, "t": told["prediction_time"]}
+
+
+def last_is_begun(made: Trial) -> bool:
+    """Whether the partner has begun the last step that the robot leaves to them."""
+    own = [scripted.step for scripted in made.script if scripted.action not in made.helper.asked]
+    human = made.partner.human
+    return not own or human.current == own[-1] or own[-1] in human.done
 
 
 def line(row: str, found: list[dict]) -> str:

@@ -71,6 +71,7 @@ class HmmRecogniser:
         fsms: tuple[Fsm, ...],
         emission: Emission,
         durations: Mapping[str, Duration] | None = None,
+        planned: frozenset[str] = frozenset(),
     ) -> None:
         require(bool(fsms), "no action has transitions, so none can be recognised")
         for fsm in fsms:
@@ -83,13 +84,10 @@ class HmmRecogniser:
             true: {seen: SMOOTHED * (seen == true) + (1 - SMOOTHED) * p for seen, p in row.items()}
             for true, row in emission.items()
         }
-        self._model = model = HmmModel(settings, fsms)
-        every = durations or {name: Duration(settings.lasts) for name in movements_of(fsms)}
-        self._distinct = list(dict.fromkeys(every.values()))
-        self._durations = [self._distinct.index(every[state.movement]) for state in model.states]  # by state
-        self._phases = max(each.phases for each in every.values())
-        self._trail = Trail(model, every)
-        self._kept: tuple[float, list[tuple[float, ...]]] | None = None
+        self._every = durations or {name: Duration(settings.lasts) for name in movements_of(fsms)}
+        self._distinct = list(dict.fromkeys(self._every.values()))
+        self._phases = max(each.phases for each in self._every.values())
+        self._plain, self._planned = HmmModel(settings, fsms), planned
         self._filter = MovementFilter(settings.filter_window)
         self.reset()
 
@@ -97,8 +95,10 @@ class HmmRecogniser:
         """Forget everything."""
         self._filter.reset()
         self._window: deque[str] = deque(maxlen=SHOWN)
+        self._use(self._plain)
         self._belief = {index * self._phases: p for index, p in self._model.initial.items()}
         self._trail.begin(self._model.initial)
+        self._weights: Mapping[str, float] = {}
         self._t: float | None = None
         self._standing: str | None = None
         self._candidate, self._run = "", 0
@@ -133,10 +133,13 @@ class HmmRecogniser:
         change = self._filter.update(movement)
         if change is not None:
             self._window.append(change.name)
+        if movement.shares is not None:
+            self._doubt()
         self._forward(movement)
         self._scores = self._happened()
         if movement.shares is not None:
             self._last_long(movement.t)
+            self._scores = self._expected()
         before, self._standing = self._standing, self._confirmed()
         action = self._standing
         if action is None:
@@ -161,6 +164,36 @@ class HmmRecogniser:
         self._standing, self._candidate, self._run = None, "", 0
         self._going = None, 0.0
         self._scores = dict.fromkeys(self._fsms, 0.0)
+
+    def expect(self, weights: Mapping[str, float]) -> None:
+        """See `ActionRecogniser`."""
+        self._weights = weights
+
+    def _doubt(self) -> None:
+        """From now on movements are not sure: what was done stays done."""
+        if self._model is self._plain and self._planned:
+            self._use(HmmModel(self.settings, tuple(self._fsms.values()), self._planned))
+            belief: dict[int, float] = {}
+            for key, p in self._belief.items():
+                index, phase = divmod(key, self._phases)
+                at = self._model.number(self._plain.states[index])
+                if at is not None:
+                    belief[at * self._phases + phase] = p
+            self._belief = belief or {index * self._phases: p for index, p in self._model.initial.items()}
+
+    def _use(self, model: HmmModel) -> None:
+        self._model = model
+        self._durations = [self._distinct.index(self._every[state.movement]) for state in model.states]  # by state
+        self._trail = Trail(model, self._every)
+        self._kept: tuple[float, list[tuple[float, ...]]] | None = None
+
+    def _expected(self) -> dict[str, float]:
+        """The scores as they are when what begins is not all alike: each action has its weight, no action has 1."""
+        weights, scores = self._weights, self._scores
+        if not weights:
+            return dict(scores)
+        total = sum(share * weights.get(a or "", 1.0) for a, share in self.underway.items())
+        return {a: score * weights.get(a, 1.0) / total for a, score in scores.items()} if total > 0.0 else dict(scores)
 
     def _last_long(self, t: float) -> None:
         """A loop that is surely going on, for as long as it takes, has happened though rounds of it were not made out.

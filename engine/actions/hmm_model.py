@@ -28,10 +28,14 @@ Steps: TypeAlias = Iterator[tuple[State, float]]
 
 
 class HmmModel:
-    """States by number; ``arcs[i]`` lists where a change of movement leads from state i, with its probability."""
+    """States by number; ``arcs[i]`` lists where a change of movement leads from state i, with its probability.
 
-    def __init__(self, settings: ActionSettings, fsms: tuple[Fsm, ...]) -> None:
-        self._settings, self._fsms = settings, fsms
+    What was done of ``keeps`` stays done until it is accepted, whatever follows: so that what was seen of it is not
+    forgotten where no single step is sure.
+    """
+
+    def __init__(self, settings: ActionSettings, fsms: tuple[Fsm, ...], keeps: frozenset[str] = frozenset()) -> None:
+        self._settings, self._fsms, self._keeps = settings, fsms, keeps
         self._movements = movements_of(fsms)
         self._index: dict[State, int] = {}
         self.states: list[State] = []
@@ -52,6 +56,10 @@ class HmmModel:
             return self._number(State(fsm.action, movement, -1))
         return self._number(State(None, movement, 0))
 
+    def number(self, state: State) -> int | None:
+        """The number of a state, of another model perhaps; None where it has none here."""
+        return self._index.get(state)
+
     def _number(self, state: State) -> int:
         if state not in self._index:
             self._index[state] = len(self.states)
@@ -71,7 +79,9 @@ class HmmModel:
             yield from self._fresh(state.movement)
             return
         fsm = next(f for f in self._fsms if f.action == state.action)
-        if state.progress < 0:
+        if state.action in self._keeps and state.progress == len(fsm.cycle):
+            yield from _mixed(self._onwards(fsm, state), 0.5 * fsm.loop, self._whatever(state))
+        elif state.progress < 0:
             going_on, new = self._again(fsm, state.movement), self._fresh(state.movement, barred=fsm)
             yield from _mixed(going_on, self._settings.again, new)
         else:
@@ -103,6 +113,12 @@ class HmmModel:
             made = 0 if done else state.progress
             progress = state.progress if done and fsm.loop else _advance(fsm, made, m)
             yield State(fsm.action, m, progress), p / total
+
+    def _whatever(self, state: State) -> Steps:
+        """Any other movement."""
+        others = [m for m in self._movements if m != state.movement]
+        for m in others:
+            yield state._replace(movement=m), 1.0 / len(others)
 
     def _again(self, fsm: Fsm, movement: str) -> Steps:
         """An accepted loop goes round: only the movements of its cycle, so that a new action soon shows."""

@@ -112,6 +112,9 @@ class ActionRecogniser(Protocol):
     def misread(self) -> tuple[Misread, ...]:
         """What was seen on the way to the standing prediction and was probably something else."""
 
+    def expect(self, weights: Mapping[str, float]) -> None:
+        """How much likelier each action is to come than if nothing were known; only where movements are not sure."""
+
     def accept(self) -> None:
         """The standing prediction happened: begin anew behind it."""
 

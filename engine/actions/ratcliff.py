@@ -38,6 +38,9 @@ class RatcliffRecogniser:
         self._source = random.Random(self.settings.seed)
         self.accept()
 
+    def expect(self, weights: Mapping[str, float]) -> None:
+        """Of no matter: what is compared are movements alone."""
+
     def accept(self) -> None:
         """Empty the window; a movement that is still going on does not enter it again."""
         self._window: deque[str] = deque(maxlen=max(LONGEST, 10 * self.settings.length))

@@ -61,6 +61,9 @@ class Reads(Protocol):
     def plan_for(self, agent: str, explanation: Explanation | Interleaved, /) -> CollaborativePlan | None:
         """The agent's part in it."""
 
+    def plans_for(self, agent: str, /) -> Mapping[CollaborativePlan, float]:
+        """The probability of each part of the agent."""
+
     def next_part(
         self, agent: str, explanation: Explanation | Interleaved, done: CollaborativePlan, /
     ) -> CollaborativePlan | None:
@@ -71,7 +74,8 @@ class Supervisor:
     """Turns a reading's outcome into a plan and keeps the plan in step with what the partner does.
 
     ``robot`` None watches only: goals are predicted, nothing is planned. ``acting`` says how sure a goal must be before
-    anything is announced.
+    anything is announced. ``sure``, where it is set, is the share of all scores from which a goal is believed in, and
+    from which the robot's turn has come; else the reading's policy decides.
     """
 
     def __init__(self, reading: Reads, robot: str | None, acting: ActingSettings = AT_ONCE) -> None:
@@ -82,6 +86,7 @@ class Supervisor:
         self.done: list[Compound] = []  # of what was announced, by the robot
         self.given_up: set[Compound] = set()  # what the robot could not do, and announces no more
         self.is_withdrawn = False  # what was announced last was taken back
+        self.sure: float | None = None
         self._made: CollaborativePlan | None = None  # the last one that was announced
         self._said = ""  # the last sentence about what the robot does now
 
@@ -125,7 +130,7 @@ class Supervisor:
 
     def update(self, t: float) -> Iterator[Event]:
         """Look at the reading after an observation; yields ``prediction`` and ``plan`` events where things changed."""
-        goal = self.reading.outcome
+        goal = self._outcome
         changed = goal is not None and (self.commitment is None or self.commitment.goal != goal)
         if goal is not None and changed and self.sureness_of(goal) >= self.acting.certainty:
             yield from self._commit(goal, t)
@@ -139,6 +144,20 @@ class Supervisor:
             return 0.0
         used = (seen for at, seen in enumerate(self.reading.observations) if at not in explanation.needless)
         return sureness(self.reading.posterior.get(goal, explanation.share), map(certainty_of, used))
+
+    @property
+    def _outcome(self) -> str | None:
+        if self.sure is None:
+            return self.reading.outcome
+        goal, share = max(self.reading.posterior.items(), key=lambda pair: pair[1], default=("", 0.0))
+        return goal if share >= self.sure else None
+
+    def _is_due(self, plan: CollaborativePlan) -> bool:
+        """Whether it is sure enough that the robot has nothing to wait for, where it has nothing to wait for."""
+        if self.sure is None or plan.waiting or self.robot is None:
+            return True
+        parts = self.reading.plans_for(self.robot)
+        return sum(share for part, share in parts.items() if part.goal == plan.goal and not part.waiting) >= self.sure
 
     def withdraw(self, t: float, because: str) -> Iterator[Event]:
         """Give up what was announced and is not done yet; yields ``withdrawn`` where there is such a thing."""
@@ -215,7 +234,7 @@ class Supervisor:
         return tell.phrase(phrase, tell.goal(goal))
 
     def _announce(self, plan: CollaborativePlan, t: float) -> Iterator[Event]:
-        if not self.given_up.isdisjoint(plan.actions):
+        if not self.given_up.isdisjoint(plan.actions) or not self._is_due(plan):
             return
         if self._made is None or (plan.waiting, plan.actions) != (self.waiting, self.actions):
             self._made, self.waiting, self.actions = plan, plan.waiting, plan.actions

@@ -105,12 +105,13 @@ class Timed:
             self._motion = now.mos, before
         if relations.moving:
             self._walked += t - before
-        sure = float(relations.holding is not None) if relations.grasp is None else relations.grasp
+        doubt = relations.doubt
+        sure = float(relations.holding is not None) if doubt is None else doubt.grasp
         return TimedFeatures(
             *now,
             GRASP[bisect_left(EVIDENCE, sure)],
             LONG[bisect_left(ENDS, t - self._hand[1])],
             CARRIED[self._walked >= WALKED],
             LONG[bisect_left(ENDS, t - self._motion[1])],
-            EYE[relations.grasp is not None],
+            EYE[doubt is not None],
         )

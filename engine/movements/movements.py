@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections import Counter, deque
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -22,9 +23,12 @@ from casper.engine.movements.features import (
 from casper.engine.movements.leaves import Box, boxes_of, check_boxes
 from casper.engine.perception.focus import Focus
 from casper.engine.perception.perception import Relations, perception_settings
+from casper.engine.perception.world import Doubt
 from casper.engine.settings import Rows, require
 from casper.kb.errors import DomainError
 from casper.kb.terms.clauses import Clause
+
+NEGLIGIBLE = 1e-3  # share of a label that is not followed up
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +53,13 @@ class MovementClassifier:
         DomainError: at construction, when a combination of features has no movement, or two.
     """
 
-    def __init__(self, table: Iterable[Sequence[str]], qdc_labels: Iterable[str]) -> None:
+    def __init__(
+        self,
+        table: Iterable[Sequence[str]],
+        qdc_labels: Iterable[str],
+        bands: Sequence[tuple[str, float]] = (),
+    ) -> None:
+        self._bands = bands
         self._table: dict[Features, str] = {}
         for *values, name in table:
             key = Features(*values)
@@ -72,16 +82,34 @@ class MovementClassifier:
         name = self._table.get(seen)
         if name is None:
             raise DomainError(f"movement has no answer for {_shown(seen)}")
-        if relations.grasp is None:
+        if relations.doubt is None:
             return Movement(relations.t, name, seen)
-        return Movement(relations.t, name, seen, self._shares(seen, relations.grasp))
+        gap = (relations.gaps or {}).get(focus.target or "")
+        return Movement(relations.t, name, seen, self._shares(seen, relations.doubt, gap))
 
-    def _shares(self, seen: Features, grasp: float) -> Mapping[str, float]:
-        """What it may be, when it is not sure whether the hand is free."""
+    def _shares(self, seen: Features, doubt: Doubt, gap: float | None) -> Mapping[str, float]:
+        """What it may be, when it is not sure whether the agent walks, whether the hand is free, how far the target is.
+
+        Who stands neither comes nearer nor goes away.
+        """
         shares: dict[str, float] = {}
-        for hold, share in zip(HOLD, (1.0 - grasp, grasp)):
-            name = self._table[seen._replace(hold=hold)]
-            shares[name] = shares.get(name, 0.0) + share
+        near = {seen.qdc: 1.0} if gap is None else self._near(gap - doubt.slack, doubt.spread)
+        towards = "0" if seen.qtc in ("-", "+") else seen.qtc
+        for mos, qtc, walks in (("still", towards, 1.0 - doubt.moves), ("moving", seen.qtc, doubt.moves)):
+            for hold, holds in zip(HOLD, (1.0 - doubt.grasp, doubt.grasp)):
+                for label, share in near.items():
+                    name = self._table[Features(mos, hold, label, qtc)]
+                    shares[name] = shares.get(name, 0.0) + walks * holds * share
+        return shares
+
+    def _near(self, gap: float, spread: float) -> Mapping[str, float]:
+        """The QDC labels that a distance may have, whose error is normal."""
+        shares, below = {}, 0.0
+        for label, end in self._bands:
+            upto = 0.5 + 0.5 * math.erf((end - gap) / (spread * math.sqrt(2.0))) if spread > 0.0 else float(end >= gap)
+            if upto - below > NEGLIGIBLE:
+                shares[label] = upto - below
+            below = upto
         return shares
 
     def reset(self) -> None:
@@ -110,7 +138,7 @@ class TimedClassifier:
         box = self._known.get(seen)
         if box is None:
             box = self._known[seen] = next(box for box in self._boxes if box.has(seen))
-        shares = None if relations.grasp is None else box.likelihoods or {box.label: 1.0}
+        shares = None if relations.doubt is None else box.likelihoods or {box.label: 1.0}
         return Movement(relations.t, box.label, seen, shares, box.likelihoods)
 
 
@@ -120,11 +148,12 @@ def movement_classifier(rows: Rows, clauses: Sequence[Clause] = ()) -> MovementC
     Raises:
         DomainError: a combination without a movement, or with two.
     """
+    bands = perception_settings(rows).bands
     if clauses:
-        bands = {label for label, _ in perception_settings(rows).bands}
-        require(bands <= set(QDC), f"movement/10 knows the bands {', '.join(QDC)}; use movement/5 with others")
+        labels = {label for label, _ in bands}
+        require(labels <= set(QDC), f"movement/10 knows the bands {', '.join(QDC)}; use movement/5 with others")
         return TimedClassifier(boxes_of(clauses, rows("likelihood", 3)))
-    return MovementClassifier(rows("movement", 5), [label for label, _ in perception_settings(rows).bands])
+    return MovementClassifier(rows("movement", 5), [label for label, _ in bands], bands)
 
 
 class MovementFilter:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from casper.engine.perception.focus import Focus
@@ -14,6 +15,7 @@ KEPT = 6.0  # seconds for which what was in the hand is what an action is about
 KEPT_UNSURE = 30.0  # the same where a tracker is not sure: within arm's reach of it, and unless something else was
 REACH = 0.9  # metres
 BESIDE = 0.3  # metres farther than the nearest place that another may be which comes into question
+ARM = 0.3  # metres, standard deviation of how far from a place something is put that is put there
 FARTHEST = 0.9  # metres from where the target is
 STEPS = 2  # in a row for which something must be in the hand: one may be misread
 
@@ -68,11 +70,13 @@ def about(focus: Focus, handled: str | None, world: WorldState) -> About:
     return About(target, tuple(places))
 
 
-def about_nearby(focus: Focus, handled: str | None, agent: AgentState, world: WorldState) -> About:
+def about_nearby(
+    focus: Focus, handled: str | None, agent: AgentState, world: WorldState
+) -> Mapping[tuple[str | None, str | None], float]:
     """What an action is about where noise makes the direction of a look unsure, and where things stand is known better.
 
     The target is what was in the hand lately, within reach, else what is attended to; the places are the things nearest
-    to it.
+    to it. Shares of (target, place) that add up to 1.
 
     Args:
         focus: what is attended to.
@@ -85,11 +89,13 @@ def about_nearby(focus: Focus, handled: str | None, agent: AgentState, world: Wo
     is_near = spot is not None and math.hypot(spot.x - agent.x, spot.y - agent.y) <= REACH
     target = handled if is_near else focus.target
     if target is None or target not in things:
-        return About(target, (focus.destination,))
+        return {(target, focus.destination): 1.0}
     at = things[target]
     gaps = sorted((math.hypot(o.x - at.x, o.y - at.y), name) for name, o in things.items() if name != target)
     most = min(gaps[0][0] + BESIDE, FARTHEST) if gaps else 0.0
-    return About(target, tuple(name for gap, name in gaps if gap <= most) or (None,))
+    near = {(target, name): math.exp(-0.5 * (gap / ARM) ** 2) for gap, name in gaps if gap <= most}
+    total = sum(near.values())
+    return {spot: share / total for spot, share in near.items()} if near else {(target, None): 1.0}
 
 
 def beside(world: WorldState, about: About) -> list[str]:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from operator import itemgetter
 
-from casper.engine.perception.world import WorldState
+from casper.engine.perception.world import Doubt, WorldState
 from casper.engine.settings import Rows, number, read_settings, require
 from casper.kb.errors import WorldStateError
 from casper.qsr.calculi.distances import Qdc
@@ -70,7 +70,7 @@ class Relations:
 
     moving: MOS, None at the first step. holding: HOLD. qdc: a band's label. qtc: ``-`` towards, ``0``,
     ``+`` away, None while the pair has no earlier step. angle: radians from 0 to pi between the heading and
-    the line to the object, 0 for a held one. grasp: as in `AgentState`.
+    the line to the object, 0 for a held one. doubt: as in `AgentState`; then ``gaps`` are the distances in metres, too.
     """
 
     t: float
@@ -80,7 +80,8 @@ class Relations:
     qdc: Mapping[str, str]
     qtc: Mapping[str, str | None]
     angle: Mapping[str, float]
-    grasp: float | None = None
+    doubt: Doubt | None = None
+    gaps: Mapping[str, float] | None = None
 
 
 def calculi(settings: PerceptionSettings) -> tuple[Qdc, QtcB11, Mos]:
@@ -131,7 +132,10 @@ class Perception:
             angle[held] = 0.0
             if snaps and lay:
                 qtc[held] = "0"  # also at the step of the grasp, when it was still lying somewhere else
-        return Relations(world.t, self.agent, moving, held, qdc, qtc, angle, agent.grasp)
+        if agent.doubt is None:
+            return Relations(world.t, self.agent, moving, held, qdc, qtc, angle)
+        gaps = {name: math.hypot(x - agent.x, y - agent.y) for name, (x, y) in places.items()}
+        return Relations(world.t, self.agent, moving, held, qdc, qtc, angle, agent.doubt, gaps)
 
 
 def check_world(before: float | None, world: WorldState) -> None:

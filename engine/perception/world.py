@@ -15,17 +15,31 @@ from casper.kb.text.lines import Line, one_line, text_of
 
 
 @dataclass(frozen=True, slots=True)
+class Doubt:
+    """How sure a tracker is of an agent.
+
+    grasp: the weight of evidence, 0 to 1, that the hand holds something. moves: the probability that it walks. spread:
+    metres, standard deviation of its distance to things. slack: metres by which all of them may seem too far.
+    """
+
+    grasp: float
+    moves: float
+    spread: float
+    slack: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class AgentState:
     """An agent at one moment: position (metres), heading (radians, 0 = +x, counter-clockwise), what it holds.
 
-    ``grasp`` is the weight of evidence, 0 to 1, that the hand holds something, where a tracker is not sure.
+    ``doubt`` is there where a tracker is not sure of what it tells.
     """
 
     x: float
     y: float
     heading: float
     holding: str | None = None
-    grasp: float | None = None
+    doubt: Doubt | None = None
 
 
 @dataclass(frozen=True, slots=True)

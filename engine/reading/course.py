@@ -25,7 +25,7 @@ from casper.engine.events import Event
 from casper.engine.reading.reading import Reading
 from casper.engine.reading.segments import Begins, BySight, LeftOut, Segments
 from casper.engine.reading.underway import ABANDONED, FINISHED, UNCLEAR, Underway
-from casper.engine.verification.observation import Observation
+from casper.engine.verification.observation import Observation, Seen
 from casper.kb.errors import CasperError
 from casper.kb.terms.terms import Compound
 
@@ -61,6 +61,7 @@ class Course:
         self.acting = acting
         self._fresh = fresh
         self.segments: Segments = BySight(fresh) if segments is None else segments(partner, fresh)
+        self.sure: float | None = None
         self.current = self._opened()
         self.helped: list[Underway] = []  # open beside: only the robot's part is left, or the partner came back to it
         self.aside: deque[tuple[Underway, dict[str, Any]]] = deque(maxlen=MOST_ASIDE)  # given up, it seems; their rows
@@ -69,7 +70,15 @@ class Course:
 
     def _opened(self) -> Underway:
         reading = self._fresh()
-        return Underway(reading, Supervisor(reading, self.robot, self.acting))
+        supervisor = Supervisor(reading, self.robot, self.acting)
+        supervisor.sure = self.sure
+        return Underway(reading, supervisor)
+
+    def be_sure(self, share: float) -> None:
+        """From now on what is observed is not sure: believe in a goal, and act, from that share on (`Supervisor`)."""
+        self.sure = share
+        for supervisor in self.supervisors:
+            supervisor.sure = share
 
     @property
     def supervisors(self) -> tuple[Supervisor, ...]:
@@ -93,7 +102,7 @@ class Course:
             self.helped.append(self.current)
         self.current = episode
 
-    def read(self, observation: Observation, t: float) -> Iterator[Event]:
+    def read(self, observation: Seen, t: float) -> Iterator[Event]:
         """One more action of the partner.
 
         Raises:
@@ -101,7 +110,7 @@ class Course:
         """
         return _about(self.partner, self._read(observation, t))
 
-    def _read(self, observation: Observation, t: float) -> Iterator[Event]:
+    def _read(self, observation: Seen, t: float) -> Iterator[Event]:
         if self.current.begun is None and not self.current.reading.observations:
             self.current = self._opened()  # what was done since the last one closed is known to it
         theirs = {id(e): course for course in self.others() for e in course.open_episodes}
@@ -203,7 +212,7 @@ class Course:
         for oldest in self.helped[:-MOST_HELPED]:
             yield from self._close(oldest, UNCLEAR, t)
 
-    def _turn(self, observation: Observation, because: str, t: float) -> Iterator[Event]:
+    def _turn(self, observation: Seen, because: str, t: float) -> Iterator[Event]:
         """The partner goes over to something new; what was under way is over, or left to the robot."""
         before = self.current
         if before.begun is None:

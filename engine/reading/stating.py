@@ -50,7 +50,7 @@ class Stating:
         turned = [(place, target) for target, place in there if place and are_together(world, target, place)]
         stated: list[Statement] = []
         for target, place in there + turned:
-            action = self._meaning(prediction, place)
+            action = self.meaning(prediction.action, place)
             if action is not None and ((target, place) in there or not stated):
                 stated.append(Statement(prediction.t, self.partner, action, target, place))
         if len(stated) > 1 and self.verifier is not None:
@@ -66,10 +66,10 @@ class Stating:
         reading.observe(Observation(statement.action, statement.term.args[1:], t=statement.t))
         return reading.count > 0
 
-    def _meaning(self, prediction: Prediction, place: str | None) -> str | None:
+    def meaning(self, action: str, place: str | None) -> str | None:
         """What an action means at a place; None where that is nothing, or not known, which ``doubt`` tells."""
         try:
-            return self.contexts.meaning(prediction.action, place, self.known(), self.history)
+            return self.contexts.meaning(action, place, self.known(), self.history)
         except (BudgetExceeded, Undefined) as doubt:
             self.doubt = doubt.sentence
             return None

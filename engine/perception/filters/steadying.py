@@ -10,10 +10,11 @@ import math
 from collections import deque
 from dataclasses import dataclass, field
 
+from casper.engine.perception.filters.absence import Absences
 from casper.engine.perception.filters.handling import QUIET, Belief, Handling
 from casper.engine.perception.filters.quality import Quality
 from casper.engine.perception.filters.walking import Motion, Way
-from casper.engine.perception.world import AgentState, ObjectState, WorldState
+from casper.engine.perception.world import AgentState, Doubt, ObjectState, WorldState
 
 REACH = 1.1  # metres from an agent within which things are taken, carried and put down
 SLOWEST, SURE = 0.12, 0.3  # m/s: below it nobody walks, above it everybody does
@@ -21,6 +22,10 @@ CREEP = 0.03  # metres a step by which the place of one who stands is mended
 HOLDS = 0.3  # the share from which something is in the hand: in the middle of a use it is there for a moment only
 LEAST_NOISE = 0.01  # metres
 PAUSE = 60.0  # seconds without a world state after which nothing more is told until the next
+STRIDE = 0.4  # m/s, standard deviation along an axis of how fast walkers go
+STEADIER = 0.25  # share of its variance with which a speed is really off, of who stands
+SLACK = 1.0  # of the noise, by which what is within a band seems beyond it all along: means settle slowly
+AVERAGED = 3  # steps that somebody stands through which are as good as one
 LOOKS = 0.3  # seconds around a moment whose headings count
 AROUND = 8 * LOOKS  # what is farther away counts for nothing
 
@@ -54,6 +59,7 @@ class Steadier:
         self._seen: float | None = None  # when the last world state was
         self._people: dict[str, _Person] = {}
         self._things: dict[str, Handling] = {}
+        self._absences = Absences()
         self.jumps: list[str] = []  # what was found elsewhere with nobody near, at the last world state
 
     def update(self, world: WorldState, quality: Quality) -> list[WorldState]:
@@ -65,6 +71,8 @@ class Steadier:
             self._mark(mark)
         self._noise = max(quality.noise or LEAST_NOISE, LEAST_NOISE)
         self._sense(world, self._noise)
+        spots = {name: (thing.rest.x, thing.rest.y) for name, thing in self._things.items()}
+        self._absences.update(world.objects, spots, quality)
         self.lag = max(self.lag, self._wanted(quality))
         return before + self._told_by(world.t)
 
@@ -164,7 +172,7 @@ class Steadier:
         held: dict[str, tuple[float, str | None]] = {}
         for name, thing in self._things.items():
             found = thing.at(moment)
-            if found is None:
+            if found is None or self._absences.is_gone(name):
                 continue
             share, objects[name], by = found
             if by is not None and share > held.get(by, (0.0, None))[0]:
@@ -186,7 +194,9 @@ class Steadier:
             person.stood = 0
         else:
             x, y = self._stands(person, x, y)
-        person.told = AgentState(x, y, _heading(person, moment), holding, _evidence(share, self._noise))
+        spread = math.sqrt(motion.place / max(person.stood / AVERAGED, 1.0))
+        doubt = Doubt(_evidence(share, self._noise), _walks(motion), spread, SLACK * self._noise)
+        person.told = AgentState(x, y, _heading(person, moment), holding, doubt)
         return person.told
 
     def _is_known(self, person: _Person, moment: float) -> bool:
@@ -232,6 +242,14 @@ def _left(person: _Person, motion: Motion) -> bool:
 def _walks_from(motion: Motion) -> float:
     """m/s above which somebody walks: more than chance would have it."""
     return min(max(2.5 * math.sqrt(motion.speed), SLOWEST), SURE)
+
+
+def _walks(motion: Motion) -> float:
+    """The probability that somebody walks who seems that fast; speeds, and errors of who stands, are normal."""
+    still = STEADIER * motion.speed
+    moving = still + STRIDE * STRIDE
+    odds = still / moving * math.exp(min(0.5 * motion.pace**2 * (1.0 / still - 1.0 / moving), 50.0))
+    return odds / (1.0 + odds)
 
 
 def _told_of_hand(noise: float, by: str | None, holder: str | None, is_telling: bool) -> tuple[float, float]:

@@ -102,3 +102,25 @@ def test_a_certainty_that_is_none_is_told(value):
 def test_a_misspelt_knob_is_told_with_the_nearest():
     with pytest.raises(DomainError, match="did you mean certainty"):
         Mind(altered(KITCHEN, {"collaboration.certanty": 0.9}))
+
+
+def test_the_robot_waits_while_it_is_not_sure_that_its_turn_has_come():
+    supervisor = Supervisor(KITCHEN.reading(), "tiago")
+    supervisor.sure = 0.8
+    carried, eaten = "pick_and_place(biscuits, plate)", "eat(biscuits, plate)"
+    for t, seen in enumerate([{carried: 0.6, eaten: 0.4}, {carried: 0.5, eaten: 0.5}]):
+        supervisor.reading.observe(seen)
+        list(supervisor.update(float(t)))
+        assert supervisor.commitment is not None and supervisor.commitment.goal == "breakfast"
+        if t == 0:
+            assert not supervisor.ready
+    assert supervisor.ready
+
+
+@pytest.mark.parametrize(("share", "told"), [(0.95, ["breakfast"]), (0.6, [])])
+def test_a_goal_that_is_not_sure_is_not_announced(share, told):
+    supervisor = Supervisor(KITCHEN.reading(), "tiago")
+    supervisor.sure = 0.8
+    supervisor.reading.observe({"pick_and_place(biscuits, plate)": share, "pick_and_place(bottle, glass)": 1 - share})
+    events = list(supervisor.update(0.0))
+    assert [event.data["goal"] for event in events if event.type == "prediction"] == told

@@ -1,0 +1,25 @@
+"""What the stages before the reading hand over, as events."""
+
+from __future__ import annotations
+
+from casper.engine.events import Event
+from casper.engine.movements.movements import Movement
+from casper.kb.reasons.validity import Verdict
+from casper.kb.terms.syntax import term_text
+from casper.kb.terms.terms import as_term
+
+
+def movement_event(movement: Movement) -> Event:
+    """Which movement it is, and what it was told by."""
+    return Event("movement", movement.t, {"movement": movement.name, "features": movement.features._asdict()})
+
+
+def verdict_event(t: float, verdict: Verdict) -> Event:
+    """What the knowledge base says of a statement."""
+    data = {
+        "statement": term_text(as_term(verdict.statement)),
+        "valid": verdict.valid,
+        "completed": term_text(as_term(verdict.completed)),
+        "reasons": list(verdict.reasons),
+    }
+    return Event("verdict", t, data)
