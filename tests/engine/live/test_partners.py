@@ -69,7 +69,7 @@ def test_two_partners_with_goals_of_their_own_are_read_as_if_each_were_alone(hom
 def test_every_event_names_the_agent_and_the_robots_the_partner_too(home):
     events = told(Partners(Domain.load(home)), states())
     assert {event.data["agent"] for event in events} == {"human", "ann", "tiago"}
-    assert {e.type for e in events if e.data["agent"] == "tiago"} == {"plan"}
+    assert {e.type for e in events if e.data["agent"] == "tiago"} == {"plan", "says"}
     assert {e.data["partner"] for e in events if e.type == "plan"} == {"human", "ann"}
 
 

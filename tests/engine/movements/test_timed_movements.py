@@ -3,6 +3,7 @@
 import itertools
 import math
 import random
+from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
@@ -14,6 +15,7 @@ from casper.engine.movements.features import TIMED_ORDERS, Timed, TimedFeatures,
 from casper.engine.movements.leaves import TIMED, boxes_of, check_boxes
 from casper.engine.movements.movements import TimedClassifier, movement_classifier
 from casper.engine.movements.tree import Sample, encode, fit, leave_one_trial_out
+from casper.engine.perception.world import Doubt
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import DomainError
 
@@ -61,14 +63,11 @@ def test_what_is_taken_and_walked_with_has_been_carried_until_the_hand_changes()
 
 def test_an_unsure_eye_is_told_from_a_plain_one():
     relations = seen(3, {"a": "touch"}, moving=False)
-    unsure = [Timed().update(type(relations)(**{**as_dict(relations), "grasp": g}), attending(3, "a")) for g in (None, 0.1, 0.6, 0.9)]
+    doubts = (None, *(Doubt(grasp=g, moves=0.0, spread=0.0) for g in (0.1, 0.6, 0.9)))
+    unsure = [Timed().update(replace(relations, doubt=doubt), attending(3, "a")) for doubt in doubts]
     assert [(each.eye, each.grasp) for each in unsure] == [
         ("plain", "none"), ("filtered", "none"), ("filtered", "strong"), ("filtered", "sure"),
     ]  # fmt: skip
-
-
-def as_dict(relations):
-    return {name: getattr(relations, name) for name in type(relations).__slots__}
 
 
 @given(st.lists(st.tuples(st.booleans(), st.sampled_from([None, "a"])), min_size=1, max_size=25), st.integers(1, 24))
@@ -123,7 +122,7 @@ def test_a_movement_of_learned_leaves_has_likelihoods_and_shares_where_the_eye_i
     classifier = movement_classifier(kb.rows, kb.clauses_of(TIMED))
     movement = classifier.update(relations, attending(3, "a"))
     assert movement.name == "pick" and movement.shares is None and sum(movement.likelihoods.values()) == pytest.approx(1, abs=0.01)
-    unsure = type(relations)(**{**as_dict(relations), "grasp": 0.7})
+    unsure = replace(relations, doubt=Doubt(grasp=0.7, moves=0.0, spread=0.0))
     assert TimedClassifier(classifier._boxes).update(unsure, attending(3, "a")).shares is not None
 
 
