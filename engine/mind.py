@@ -259,8 +259,7 @@ class Mind:
         if self.verifier is not None and found.verdict is not None:
             self._earlier = tuple(self.verifier.looked_at)
             self.verifier.accept(found.verdict, t)
-        seen = found.seen
-        seen = replace(seen, certainty=min(score, 1.0)) if isinstance(seen, Observation) else seen
+        seen = replace(found.seen, certainty=min(score, 1.0)) if isinstance(found.seen, Observation) else found.seen
         self._refused = None
         self.actions.accept()
         doubting.accepted()
