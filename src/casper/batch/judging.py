@@ -88,9 +88,7 @@ def _judged(trial: Trial, events: list[Event]) -> dict[str, Any]:
     if "ended" in told:
         raise CasperError(told["ended"])
     announced = [event.data["goal"] for event in events if event.type == "prediction"]
-    failures = [event.data for event in events if event.type == "robot" and event.data["status"] == "failed"]
-    reasons = robot.get("gave_up") or [data.get("reason", "") for data in failures]
-    helped = bool(robot["done"])
+    helped, reasons = bool(robot["done"]), robot["gave_up"]
     return {
         "behaves": " and ".join(trial.behaviours) or None,
         "right": bool(truth["right"]),
@@ -103,7 +101,7 @@ def _judged(trial: Trial, events: list[Event]) -> dict[str, Any]:
         "withdrawn": sum(event.type == "withdrawn" for event in events),
         "partner_finished": told["partner_finished"],
         "seconds": events[-1].t,
-        "least_distance": robot.get("least_distance"),
-        "speed_there": robot.get("speed_then"),
+        "least_distance": robot["least_distance"],
+        "speed_there": robot["speed_at_least_distance"],
         "ended": told.get("ended"),
     }

@@ -79,7 +79,8 @@ def columns(rows: Sequence[Mapping[str, Any]]) -> Iterator[str]:
     from casper.experiments.experiment import shown
 
     header = list(dict.fromkeys(name for row in rows for name in row))
-    cells = [header, *([shown(row.get(name)) for name in header] for row in rows)]
+    values = [[row.get(name) for name in header] for row in rows]
+    cells = [header, *([f"{v:.4g}" if isinstance(v, float) else shown(v) for v in row] for row in values)]
     widths = [max(len(row[at]) for row in cells) for at in range(len(header))]
     for row in cells:
         yield "  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip()

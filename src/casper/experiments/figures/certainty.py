@@ -16,8 +16,11 @@ def certainty_figure(data: Data) -> Any:
     nothing = [row["came to nothing"] / row["trials"] for row in rows]
     helped = [row["helped"] / row["trials"] for row in rows]
     left.plot(nothing, helped, "-o", color=OTHERS[0])
+    labels: dict[tuple[float, float], list[str]] = {}
     for x, y, row in zip(nothing, helped, rows):
-        left.annotate(f"{row['certainty']:g}", (x, y), (5, 5), textcoords="offset points", fontsize=8)
+        labels.setdefault((x, y), []).append(f"{row['certainty']:g}")
+    for at, values in labels.items():
+        left.annotate(", ".join(values), at, (5, 5), textcoords="offset points", fontsize=8)
     left.set_xlabel("announcements that came to nothing, a trial")
     left.set_ylabel("help finished (share of trials)")
     left.set_xlim(left=-0.05)
