@@ -104,6 +104,6 @@ def _judged(trial: Trial, events: list[Event]) -> dict[str, Any]:
         "partner_finished": told["partner_finished"],
         "seconds": events[-1].t,
         "least_distance": robot.get("least_distance"),
-        "speed_there": robot.get("speed_then"),
+        "speed_there": robot.get("speed_at_least_distance"),
         "ended": told.get("ended"),
     }
