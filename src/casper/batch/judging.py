@@ -101,7 +101,7 @@ def _judged(trial: Trial, events: list[Event]) -> dict[str, Any]:
         "withdrawn": sum(event.type == "withdrawn" for event in events),
         "partner_finished": told["partner_finished"],
         "seconds": events[-1].t,
-        "least_distance": robot["least_distance"],
-        "speed_there": robot["speed_at_least_distance"],
+        "least_distance": robot.get("least_distance"),
+        "speed_there": robot.get("speed_at_least_distance"),
         "ended": told.get("ended"),
     }
