@@ -1,5 +1,6 @@
 import itertools
 import random
+from collections import Counter
 
 import pytest
 from hypothesis import given, settings
@@ -56,9 +57,10 @@ def test_the_clauses_say_of_every_combination_what_the_tree_says(samples, leaves
 
     text = compile_tree(fit(samples, leaves, seed=3))
     answers = {Features(*row[:4]): row[4] for row in rows_in(text)}
-    ordered = sorted(samples, key=lambda s: (s.trial, s.features, s.label))
+    alike = sorted(Counter((s.features, s.label) for s in samples).items())
     model = DecisionTreeClassifier(max_leaf_nodes=leaves, random_state=3)
-    model.fit([encode(s.features) for s in ordered], [s.label for s in ordered])
+    rows, labels = [encode(each) for (each, _), _ in alike], [label for (_, label), _ in alike]
+    model.fit(rows, labels, sample_weight=[count for _, count in alike])
     assert [answers[seen] for seen in COMBINATIONS] == list(model.predict([encode(seen) for seen in COMBINATIONS]))
     assert len(rows_in(text)) == len(COMBINATIONS)
 
