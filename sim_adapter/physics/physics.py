@@ -201,7 +201,11 @@ class Physics:
         self._move(thing, self.model.qpos0[at : at + 7])
 
     def _move(self, thing: str, pose: Sequence[float]) -> None:
-        """An object rests somewhere else at once: x, y, z, and a quaternion."""
+        """An object rests somewhere else at once: x, y, z, and a quaternion.
+
+        Nothing holds it there any more: the weld that steadies it on a carried plate would pull over any distance.
+        """
+        self._let_go_of(thing)
         at, dof = self._qpos[thing], self._dof[thing]
         self._q[at : at + 7] = pose
         self._v[dof : dof + 6] = 0.0

@@ -143,6 +143,18 @@ def test_who_takes_the_food_from_a_carried_plate_has_it_alone():
     assert [physics.model.equality(i).name for i in physics.data.eq_active.nonzero()[0]] == ["human:hold:plate", "tiago:hold:meal"]
 
 
+def test_food_that_is_eaten_up_while_its_plate_is_carried_does_not_tear_the_physics_apart():
+    simulation = Simulation(kitchen_scene(), seed=0)
+    physics = simulation.physics
+    x, y, z = physics.position("plate")
+    physics._move("meal", (x, y, z + 0.03, 1.0, 0.0, 0.0, 0.0))
+    physics.grasp("human", "plate")
+    simulation.remove("meal")
+    assert [physics.model.equality(i).name for i in physics.data.eq_active.nonzero()[0]] == ["human:hold:plate"]
+    simulation.advance(0.5)
+    assert physics.warnings == 0
+
+
 def test_a_plate_is_taken_without_the_food_that_another_hand_holds():
     physics = Simulation(kitchen_scene(), seed=0).physics
     x, y, z = physics.position("plate")
