@@ -77,6 +77,10 @@ def run(domain: Domain, goal: str, seed: int, *, is_plain: bool) -> Run:
     return Run(events, time.process_time() - began, spent[0])
 
 
+RESULTS = ("predicted", "correct", "prediction_time", "observed", "missed", "waiting", "planned")
+DONE = ("actions", "done", "gave_up")  # of the robot; how near it came to somebody depends on the step of the physics
+
+
 def difference(one: Run, other: Run, period: float) -> str:
     """What differs in the results, in words; empty where they are equal.
 
@@ -84,9 +88,10 @@ def difference(one: Run, other: Run, period: float) -> str:
         one, other: of the same goal and seed.
         period: the sampling period, seconds: nothing may be off by more.
     """
-    for what in ("predicted", "correct", "prediction_time", "observed", "missed", "waiting", "planned", "robot"):
-        if one.end[what] != other.end[what]:
-            return f"{what} is {other.end[what]}, not {one.end[what]}"
+    ends = [{**run.end, **{f"robot {what}": run.end["robot"][what] for what in DONE}} for run in (one, other)]
+    for what in (*RESULTS, *(f"robot {what}" for what in DONE)):
+        if ends[0][what] != ends[1][what]:
+            return f"{what} is {ends[1][what]}, not {ends[0][what]}"
     if one.course != other.course:
         return f"the course is {other.course}, not {one.course}"
     off = max((abs(a.t - b.t) for a, b in zip(one.told, other.told)), default=0.0)

@@ -162,4 +162,11 @@ def _recorded(trial: Trial, writer: Writer) -> Iterator[Event]:
     """The events of a trial, and what a replay needs of it on the way into a recording."""
     trial.sensed = writer.given
     for event in writer.heard(trial.events()):
-        yield writer.aside(event) if event.type in ("robot", "summary") else event
+        yield event if _is_of_a_mind(event) else writer.aside(event)
+
+
+def _is_of_a_mind(event: Event) -> bool:
+    """Whether a replay makes it again: what the body does, and says on its way, no mind knows of."""
+    if event.type == "says":
+        return "goal" in event.data  # a mind announces, a body asks to be let through
+    return event.type not in ("robot", "summary")
