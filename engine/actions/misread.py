@@ -13,7 +13,6 @@ from casper.engine.actions.prediction import Misread
 
 MOST_RUNS = 60  # of equal movements that are looked back on
 LEAST = 1e-12
-KEPT = 16  # times between two runs whose ways are kept
 
 
 @dataclass(slots=True)
@@ -33,7 +32,6 @@ class Trail:
         self._model, self._durations = model, durations
         self._runs: deque[_Run] = deque(maxlen=MOST_RUNS)
         self._start: Mapping[int, float] = model.initial
-        self._kept: dict[float, list[list[tuple[int, float]]]] = {}
 
     def begin(self, start: Mapping[int, float]) -> None:
         """Behind an action, from what is believed there (probabilities by state)."""
@@ -88,27 +86,15 @@ class Trail:
     def _onward(self, best: Mapping[int, float], run: _Run, before: _Run, came: dict[int, int]) -> dict[int, float]:
         """How well each state is reached from the run before, and from where."""
         reached: dict[int, float] = {}
-        ways = self._ways(run.begins - before.ends)
+        dt = run.begins - before.ends
         for index, p in best.items():
-            for to, weight in ways[index]:
-                total = p + weight
+            stays = math.exp(self._stays(index, dt))
+            change = max(1.0 - stays, LEAST)
+            for to, chance in ((index, stays), *((to, change * chance) for to, chance in self._model.arcs[index])):
+                total = p + math.log(max(chance, LEAST))
                 if total > reached.get(to, -math.inf):
                     reached[to], came[to] = total, index
         return reached
-
-    def _ways(self, dt: float) -> list[list[tuple[int, float]]]:
-        """By state, where one is so much later, and the logarithm of the chance; kept, as most steps are equal."""
-        if dt not in self._kept:
-            if len(self._kept) == KEPT:
-                self._kept.clear()
-            self._kept[dt] = [self._ways_from(index, dt) for index in range(len(self._model.states))]
-        return self._kept[dt]
-
-    def _ways_from(self, index: int, dt: float) -> list[tuple[int, float]]:
-        stays = math.exp(self._stays(index, dt))
-        change = max(1.0 - stays, LEAST)
-        ways = ((index, stays), *((to, change * chance) for to, chance in self._model.arcs[index]))
-        return [(to, math.log(max(chance, LEAST))) for to, chance in ways]
 
     def _stays(self, index: int, dt: float) -> float:
         """The logarithm of the chance that a movement goes on for so long."""

@@ -86,7 +86,6 @@ class Handling:
         self.rest = self.hand = self.home = here  # home: where it lay for sure
         self.carried = carried
         self.outside = 0
-        self.news = t  # since then nothing was learned but that it lies
         self.moments: deque[Moment] = deque([Moment(t, (1.0, 1.0), (0.0, 0.0), carried, here, here, None)], maxlen=kept)
 
     def expect(self, dt: float, by: str | None, gone: tuple[float, float]) -> tuple[float, float]:
@@ -161,7 +160,6 @@ class Handling:
         if self.carried < SURE_FREE:
             self.home = self.rest
         self.moments.append(Moment(t, (rest, hand), change, self.carried, self.rest, self.hand, by))
-        self.news = t
         return jumped
 
     def _at_rest(
@@ -196,10 +194,6 @@ class Handling:
 
         None: it was not known yet.
         """
-        return self._lying(t) if t >= self.news else self._weighed(t)
-
-    def _weighed(self, t: float) -> tuple[float, ObjectState, str | None] | None:
-        """As `at`, of any moment."""
         rest = hand = 1.0  # likelihoods of what came later
         lies = True  # from then on
         ahead: Moment | None = None
@@ -216,17 +210,6 @@ class Handling:
                 spot = self.moments[-1].rest if lies else moment.rest if share < 0.5 else moment.hand
                 return share, ObjectState(spot.x, spot.y, None if self.flat else spot.z), moment.by
             ahead = moment
-        return None
-
-
-    def _lying(self, t: float) -> tuple[float, ObjectState, str | None] | None:
-        """The same of a moment after which it only lay: what came later says nothing of it."""
-        for moment in reversed(self.moments):
-            if moment.t <= t:
-                share = moment.carried
-                spot = self.moments[-1].rest if share < 0.5 else moment.hand
-                here = ObjectState(spot.x, spot.y, None if self.flat else spot.z)
-                return share / (share + (1 - share)), here, moment.by
         return None
 
 

@@ -52,12 +52,11 @@ class Gauge:
             self._periods.append(world.t - self._t)
         self._t, now, before = world.t, world.objects, self._before
         for name, thing in now.items():
-            was = before.get(name)
-            if was is not None:
-                dx, dy = thing.x - was.x, thing.y - was.y
+            if name in before:
+                dx, dy = thing.x - before[name].x, thing.y - before[name].y
                 self._squares.append((dx * dx + dy * dy) / 2.0)
             if name in self._earlier:
-                self._gaps.append(was is None)
+                self._gaps.append(name not in before)
         self._earlier, self._before = before, now
         self._count += 1
         if len(self._squares) == KEPT and self._count % OFTEN:

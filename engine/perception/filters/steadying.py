@@ -8,9 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 from casper.engine.perception.filters.absence import Absences
 from casper.engine.perception.filters.handling import QUIET, Belief, Handling
@@ -32,20 +30,12 @@ LOOKS = 0.3  # seconds around a moment whose headings count
 AROUND = 8 * LOOKS  # what is farther away counts for nothing
 
 
-class Look(NamedTuple):
-    """A heading that was sensed, by its sine and cosine."""
-
-    t: float
-    sine: float
-    cosine: float
-
-
 @dataclass
 class _Person:
     """What is kept of one agent: the way, what was sensed of heading by time, and what was told last."""
 
     way: Way = field(default_factory=Way)
-    looks: deque[Look] = field(default_factory=lambda: deque(maxlen=400))
+    looks: deque[tuple[float, float]] = field(default_factory=lambda: deque(maxlen=400))
     told: AgentState | None = None
     stood: int = 0
     middle: tuple[float, float] = (0.0, 0.0)
@@ -119,9 +109,8 @@ class Steadier:
     def _mark(self, t: float) -> None:
         for person in self._people.values():
             person.way.mark(t)
-        people = self._present(t)
         for thing in self._things.values():
-            by = _near(thing.hand, people)
+            by = self._near(thing.hand, t)
             if by is None and thing.carried <= QUIET:
                 continue  # as at the moment before
             change = self._expect(thing, t, by)
@@ -132,16 +121,16 @@ class Steadier:
         for name, agent in world.agents.items():
             person = self._people.setdefault(name, _Person())
             person.way.seen(world.t, agent.x, agent.y, variance)
-            person.looks.append(Look(world.t, math.sin(agent.heading), math.cos(agent.heading)))
+            person.looks.append((world.t, agent.heading))
         holder = {agent.holding: name for name, agent in world.agents.items() if agent.holding is not None}
-        self.jumps, people = [], self._present(world.t)
+        self.jumps = []
         for name in dict.fromkeys((*self._things, *world.objects)):
             seen, thing = world.objects.get(name), self._things.get(name)
             if thing is None:
                 assert seen is not None
                 self._things[name] = Handling(world.t, seen, variance, 0.5 if name in holder else 0.02)
                 continue
-            by = holder.get(name) or _near(thing.hand if seen is None else seen, people)
+            by = holder.get(name) or self._near(thing.hand if seen is None else seen, world.t)
             if by is None and thing.lies(world.t, seen, variance):
                 continue
             change = self._expect(thing, world.t, by)
@@ -163,10 +152,17 @@ class Steadier:
         motion = None if name is None else self._people[name].way.last
         return None if motion is None else (motion.x, motion.y)
 
-    def _present(self, t: float) -> list[tuple[str, Motion]]:
-        """Who was seen not long ago, and where they are."""
-        last = [(name, each.way.last) for name, each in self._people.items() if t - each.looks[-1].t <= self.bridge]
-        return [(name, motion) for name, motion in last if motion is not None]
+    def _near(self, spot: Belief | ObjectState, t: float) -> str | None:
+        """Who may have it in the hand: the nearest within reach."""
+        best, found = REACH, None
+        for name, person in self._people.items():
+            motion = person.way.last
+            if motion is None or t - person.looks[-1][0] > self.bridge:
+                continue
+            gap = math.hypot(motion.x - spot.x, motion.y - spot.y)
+            if gap < best:
+                best, found = gap, name
+        return found
 
     # --- telling ---------------------------------------------------------------------------------------------------
 
@@ -206,7 +202,7 @@ class Steadier:
     def _is_known(self, person: _Person, moment: float) -> bool:
         """Seen not long before, or at both ends of a gap."""
         before, after = -math.inf, math.inf
-        for t, _, _ in reversed(person.looks):
+        for t, _ in reversed(person.looks):
             if t <= moment:
                 before = t
                 break
@@ -225,16 +221,6 @@ class Steadier:
         gap = math.hypot(dx, dy)
         share = 1.0 if gap <= CREEP else CREEP / gap
         return person.told.x + dx * share, person.told.y + dy * share
-
-
-def _near(spot: Belief | ObjectState, people: Iterable[tuple[str, Motion]]) -> str | None:
-    """Who may have it in the hand: the nearest within reach."""
-    best, found, x, y = REACH, None, spot.x, spot.y
-    for name, motion in people:
-        gap = math.hypot(motion.x - x, motion.y - y)
-        if gap < best:
-            best, found = gap, name
-    return found
 
 
 def _evidence(share: float, noise: float) -> float:
@@ -285,9 +271,9 @@ def _told_if_carried(noise: float) -> float:
 def _heading(person: _Person, moment: float) -> float:
     """The mean of the headings around a moment."""
     s = c = 0.0
-    for t, sine, cosine in reversed(person.looks):
+    for t, heading in reversed(person.looks):
         if t < moment - AROUND and (s or c):
             break
         weight = math.exp(-abs(t - moment) / LOOKS)
-        s, c = s + weight * sine, c + weight * cosine
+        s, c = s + weight * math.sin(heading), c + weight * math.cos(heading)
     return math.atan2(s, c)

@@ -65,39 +65,18 @@ def corrected(expected: Motion, x: float, y: float, variance: float) -> Motion:
     )
 
 
-class Gain(NamedTuple):
-    """What is expected after a moment, and how much of what the next one turns out to be counts for it, two by two."""
-
-    expected: Motion
-    g11: float
-    g12: float
-    g21: float
-    g22: float
-
-
 def smoothed(filtered: Motion, later: Motion) -> Motion:
     """A filtered moment in the light of the smoothed one that follows (Rauch, Tung and Striebel)."""
-    return in_the_light_of(later, filtered, gain(filtered, after(filtered, later.t)))
-
-
-def gain(filtered: Motion, e: Motion) -> Gain | None:
-    """Of a moment, and what was expected of the next; None where both are one."""
-    dt = e.t - filtered.t
+    dt = later.t - filtered.t
     if dt <= 0.0:
-        return None
+        return later
+    e = after(filtered, later.t)
     det = e.place * e.speed - e.both * e.both
     # gain = P Fᵀ E⁻¹, all of two by two
     a, b = filtered.place + dt * filtered.both, filtered.both
     c, d = filtered.both + dt * filtered.speed, filtered.speed
     g11, g12 = (a * e.speed - b * e.both) / det, (b * e.place - a * e.both) / det
-    return Gain(e, g11, g12, (c * e.speed - d * e.both) / det, (d * e.place - c * e.both) / det)
-
-
-def in_the_light_of(later: Motion, filtered: Motion, gain: Gain | None) -> Motion:
-    """As `smoothed`, with a gain that is known: it does not depend on what is seen later."""
-    if gain is None:
-        return later
-    e, g11, g12, g21, g22 = gain
+    g21, g22 = (c * e.speed - d * e.both) / det, (d * e.place - c * e.both) / det
     dp, db, dv = later.place - e.place, later.both - e.both, later.speed - e.speed
     dx, dy, dvx, dvy = later.x - e.x, later.y - e.y, later.vx - e.vx, later.vy - e.vy
     return Motion(
@@ -117,7 +96,6 @@ class Way:
 
     def __init__(self, kept: int = 400) -> None:
         self.nodes: deque[Motion] = deque(maxlen=kept)
-        self._gains: deque[Gain | None] = deque(maxlen=kept)  # by node, of the one before it
 
     @property
     def last(self) -> Motion | None:
@@ -128,29 +106,19 @@ class Way:
         """A detection."""
         if not self.nodes:
             self.nodes.append(Motion(t, x, y, 0.0, 0.0, variance, 0.0, START_SPEED**2))
-            self._gains.append(None)
         else:
-            self.nodes.append(corrected(self._expected(t), x, y, variance))
+            self.nodes.append(corrected(after(self.nodes[-1], t), x, y, variance))
 
     def mark(self, t: float) -> None:
         """A moment that will be asked about."""
         if self.nodes:
-            self.nodes.append(self._expected(t))
-
-    def _expected(self, t: float) -> Motion:
-        """What the next node is expected to be, which is kept with its gain."""
-        before = self.nodes[-1]
-        expected = after(before, t)
-        self._gains.append(gain(before, expected))
-        return expected
+            self.nodes.append(after(self.nodes[-1], t))
 
     def at(self, t: float) -> Motion | None:
         """The smoothed estimate of a moment that was marked, from all that was seen by now."""
         found: Motion | None = None
-        known: Gain | None = None
-        for node, before in zip(reversed(self.nodes), reversed(self._gains)):
+        for node in reversed(self.nodes):
             if node.t < t:
                 break
-            found = node if found is None else in_the_light_of(found, node, known)
-            known = before
+            found = node if found is None else smoothed(node, found)
         return found if found is not None and found.t == t else None

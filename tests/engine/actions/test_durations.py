@@ -161,6 +161,6 @@ def test_learned_likelihoods_count_instead_of_the_emission():
     recogniser = action_recogniser(ROWS, ActionSettings())
     for t in range(1, 5):
         recogniser.update(Movement(float(t), "still", likelihoods={name: 0.9 if name == "walk" else 0.025 for name in NAMES}))
-    believed = [(recogniser._model.states[key].movement, p) for key, p in recogniser._believed()]
-    shares = {name: sum(p for movement, p in believed if movement == name) for name in NAMES}
+    states = [recogniser._model.states[key] for key in recogniser._belief]
+    shares = {name: sum(p for s, p in zip(states, recogniser._belief.values()) if s.movement == name) for name in NAMES}
     assert max(shares, key=shares.__getitem__) == "walk"

@@ -7,10 +7,9 @@ import random
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from casper.engine.perception.filters.handling import Handling
 from casper.engine.perception.filters.quality import Gauge, Quality
 from casper.engine.perception.filters.steadying import Steadier
-from casper.engine.perception.filters.walking import Way, smoothed
+from casper.engine.perception.filters.walking import Way
 from casper.engine.perception.tracking import Tracker, TrackerSettings
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
 
@@ -196,39 +195,3 @@ def test_a_long_pause_is_not_told_pace_by_pace_and_nothing_before_it_is_lost():
     assert "human" in before[10].agents and "human" in after[-1].agents
     assert after[-1].t >= 1e6 + 9.0
     assert all("plate" in w.objects for w in (*before[5:], *after))
-
-
-SOMETIMES = st.lists(
-    st.tuples(st.booleans(), st.floats(0.0, 1.0), st.floats(-2.0, 2.0), st.floats(-2.0, 2.0)), min_size=1, max_size=12
-)
-
-
-@given(SOMETIMES)
-def test_gains_that_are_kept_smooth_as_those_worked_out_anew(moments):
-    way, t = Way(kept=8), 0.0
-    for is_seen, dt, x, y in moments:
-        t += dt
-        way.seen(t, x, y, 0.01) if is_seen else way.mark(t)
-    for node in way.nodes:
-        found = None
-        for each in reversed(way.nodes):
-            if each.t < node.t:
-                break
-            found = each if found is None else smoothed(each, found)
-        assert way.at(node.t) == found
-
-
-@given(
-    st.lists(st.tuples(st.sampled_from(("lies", "carried", "unseen")), st.floats(-0.05, 0.05)), min_size=1, max_size=25),
-    st.sampled_from((0.02, 0.5)),
-)
-def test_what_only_lay_is_where_all_that_came_later_has_it(moments, carried):
-    thing, times = Handling(0.0, ObjectState(0.0, 0.0, 0.9), 0.0009, carried), [0.0]
-    for n, (how, x) in enumerate(moments, 1):
-        t, seen = n * 0.1, None if how == "unseen" else ObjectState(x, -x, 0.9)
-        if how == "carried" or not thing.lies(t, seen, 0.0009):
-            by = "ann" if how == "carried" else None
-            thing.update(t, thing.expect(0.1, by, (0.0, 0.0)), by, seen, 0.0009, (1.0, 1.0), (0.1, 0.1))
-        times.append(t)
-    for t in (-1.0, *times):
-        assert thing.at(t) == thing._weighed(t)
