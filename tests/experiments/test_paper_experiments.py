@@ -61,7 +61,7 @@ def test_the_plans_are_the_papers():
 def trial(goal, seed, **told):
     told = {"right": True, "predicted": goal, "helped": True, "prediction_time": 10.0, "partner_finished": 30.0, **told}
     rest = {"observed": 1, "missed": 0, "waiting": 1, "planned": 2, "wrong_announcements": 0, "wrong_interventions": []}
-    return {"trial": {"goal": goal, "seed": seed}, "gave_up": None, "help_ended": True, "ended": None, "least_distance": None, "mistake": None, **rest, **told}
+    return {"trial": {"goal": goal, "seed": seed}, "gave_up": None, "help_ended": True, "least_distance": None, "mistake": None, **rest, **told}
 
 
 def test_the_kitchen_table_has_the_means_of_each_goal():

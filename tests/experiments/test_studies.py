@@ -22,7 +22,7 @@ def outcome(trial, **told):
         "right": True, "predicted": trial["goal"], "prediction_time": 12.0, "observed": 1, "missed": 0, "waiting": 1,
         "planned": 2, "helped": True, "gave_up": None, "help_ended": True, "wrong_announcements": 0,
         "wrong_interventions": [], "withdrawn": 0, "partner_finished": 30.0 if trial.get("robot", True) else 50.0,
-        "seconds": 70.0, "least_distance": 0.4, "speed_there": 0.1, "ended": None, "behaves": None, "mistake": None,
+        "seconds": 70.0, "least_distance": 0.4, "speed_there": 0.1, "behaves": None, "mistake": None,
     }  # fmt: skip
     return {"trial": dict(trial), **usual_, **told}
 

@@ -32,7 +32,6 @@ FIGURES = (
     "seconds",
     "least_distance",
     "speed_there",
-    "ended",
 )
 """The columns of `judged`; units are seconds, metres and metres a second.
 
@@ -43,7 +42,7 @@ everything that was announced was done, or given up for a reason that is true. w
 announced that the partner never had; wrong_interventions: what the robot took hold of for a step that was left to be
 done of no goal they had (`casper.sim_adapter.truth`). partner_finished: when the last action of their own was over;
 seconds: when the trial was. least_distance and speed_there: how near the robot came to a person while it moved, and how
-fast it was there; None where it never did. ended: why the trial broke off, where the simulation had to.
+fast it was there; None where it never did. A trial that the simulation had to break off is no row but a mistake.
 """
 
 
@@ -103,5 +102,4 @@ def _judged(trial: Trial, events: list[Event]) -> dict[str, Any]:
         "seconds": events[-1].t,
         "least_distance": robot.get("least_distance"),
         "speed_there": robot.get("speed_at_least_distance"),
-        "ended": told.get("ended"),
     }

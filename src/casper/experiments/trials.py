@@ -41,7 +41,7 @@ def counted(rows: list[Row]) -> Row:
         "help ended": sum(bool(row["help_ended"]) for row in rows),
         "wrong announcements": sum(row["wrong_announcements"] or 0 for row in rows),
         "wrong interventions": sum(len(row["wrong_interventions"] or ()) for row in rows),
-        "broken off": sum(bool(row["mistake"] or row["ended"]) for row in rows),
+        "broken off": sum(bool(row["mistake"]) for row in rows),
         "known at": mean(times) if times else None,
         "least distance": min(near, default=None),
     }

@@ -43,8 +43,8 @@ def says(data: Data) -> Iterator[str]:
         "The rule: a goal is as sure as its posterior times the probability that at least one of the actions that "
         "speak for it was really one for it, where an action that was recognised with probability p counts as 0.9 p "
         "(one action of ten serves nothing). Below `setting(collaboration, certainty, P)`, or `--certainty P`, the "
-        "robot announces and does nothing; at 0, the default and the paper's, it acts on whatever the policy commits "
-        "to."
+        "robot announces nothing and does nothing; at 0, the default and the paper's, it acts on whatever the policy "
+        "commits to."
     )
     header = ("certainty", "trials", "right goals", "help finished", "wrong announcements", "withdrawn", "known at (s)")
     yield table(header, map(_cells, data.summary))
