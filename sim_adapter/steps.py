@@ -64,6 +64,10 @@ class Missed(StepFailed):
     """What may well work when it is tried again: fingers beside the object, say."""
 
 
+class OutOfReach(Missed):
+    """What may work from nearer by."""
+
+
 @dataclass(slots=True)
 class StepQueue:
     """Steps waiting, the one under way, those finished, those that failed (with the reason), those ended undone.

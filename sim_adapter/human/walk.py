@@ -27,7 +27,7 @@ class HumanWalk:
         self.navigator = navigator
         self.others = others
         self.held_up = 0.0  # seconds they have been waiting for a way
-        self.goals: list[Point] = []  # where they want to be
+        self.goals: list[Point] = []  # where they want to be, whoever stands there
 
     def go_to(self, name: str) -> Ticks:
         """Walk to where an object can be reached, unless it is within reach already, and face it."""
@@ -42,11 +42,11 @@ class HumanWalk:
         rings = (body.settings.stand_distance, *RINGS)
         well = is_square(body.physics.scene, at(), body.place)
         if not well or math.dist(body.place, at()) > REACHABLE:
-            yield from self._travel(lambda: self._standing(at(), rings))
+            yield from self._travel(lambda others: self._standing(at(), rings, others))
         yield from self._face(at())
 
-    def _standing(self, at: Point, rings: Sequence[float]) -> list[Point]:
-        points = self.navigator.standing_points(at, rings, self.others())
+    def _standing(self, at: Point, rings: Sequence[float], others: Sequence[Disc]) -> list[Point]:
+        points = self.navigator.standing_points(at, rings, others)
         return square_on(self.body.physics.scene, at, points)
 
     def step_back(self) -> Ticks:
@@ -69,23 +69,24 @@ class HumanWalk:
         for apart in (1.1, 0.9, 0.7):
             for spot in spots:
                 if all(math.dist(spot, thing) >= apart for thing in things) and self._can_reach(spot, others):
-                    yield from self._travel(lambda: [spot])  # noqa: B023 - left right after
+                    yield from self._travel(lambda others: [spot])  # noqa: B023 - left right after
                     return
 
     def make_way(self, spot: Point) -> Ticks:
         """Go to a spot where somebody else has a way."""
-        yield from self._travel(lambda: [spot])
+        yield from self._travel(lambda others: [spot])
 
     def _can_reach(self, spot: Point, others: Sequence[Disc]) -> bool:
         free = self.navigator.free(spot, others)
         return free and self.navigator.path(self.body.place, spot, self.others()) is not None
 
-    def _travel(self, goals: Callable[[], list[Point]]) -> Ticks:
-        """Walk to the nearest of the goals; wait and look again while the way is blocked."""
+    def _travel(self, goals: Callable[[Sequence[Disc]], list[Point]]) -> Ticks:
+        """Walk to the nearest of the goals, those free of some discs; wait and look again while the way is blocked."""
         self.held_up = 0.0
         while True:
-            self.goals = goals()
-            path = self._best_path(self.goals)
+            free = goals(self.others())
+            self.goals = free or goals(())
+            path = self._best_path(free)
             if path is not None and (yield from self._walk(path)):
                 self.held_up = 0.0
                 return

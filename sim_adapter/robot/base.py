@@ -43,7 +43,8 @@ class RobotBase:
         self.speed = 0.0
         self._turning = 0.0
         self.held_up = 0.0  # seconds it has been waiting for a way
-        self.goals: list[Point] = []  # where it wants to be
+        self.goals: list[Point] = []  # where it wants to be, whoever stands there
+        self.waits = False  # for a way
         self.aside: Point | None = None  # where it shall go first, to let somebody through
         self.others = others
         self._dt = physics.scene.sim.control
@@ -74,18 +75,24 @@ class RobotBase:
         dx, dy = point[0] - x, point[1] - y
         return math.cos(yaw) * dx + math.sin(yaw) * dy, -math.sin(yaw) * dx + math.cos(yaw) * dy, point[2]
 
-    def go(self, goals: Callable[[], list[Point]], stale: Callable[[], bool] = never) -> Generator[None, None, bool]:
+    def go(
+        self,
+        goals: Callable[[Sequence[Disc]], list[Point]],
+        stale: Callable[[], bool] = never,
+    ) -> Generator[None, None, bool]:
         """Drive to the nearest of the goals; waits and looks for another way while blocked.
 
-        Returns whether it is there: not when ``stale`` says that there is nothing to go there for any more.
+        ``goals`` gives those that are free of some discs. Returns whether it is there: not when ``stale`` says that
+        there is nothing to go there for any more.
 
         Raises:
             StepFailed: no way within the robot's patience. Missed: the base is stuck.
         """
         self.held_up, self.aside = 0.0, None
         while not stale():
-            self.goals = goals()
-            path = self._best_path(self.goals)
+            free = goals(self.others())
+            self.goals = free or goals(())
+            path = self._best_path(free)
             if path is not None and (yield from self._follow(path, stale)):
                 self.held_up = 0.0
                 yield from self.halt(0.3)
@@ -97,7 +104,9 @@ class RobotBase:
                 self.held_up = 0.0
                 raise StepFailed(self._why_not(path))
             yield from self.stop()
+            self.waits = True
             yield from self.halt(0.5)
+            self.waits = False
             yield from self.step_aside()
         self.held_up = 0.0
         yield from self.stop()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 
 from casper.sim_adapter.physics.grip import grip_of, touching
 from casper.sim_adapter.physics.physics import STILL_SPEED, Physics
@@ -12,7 +13,7 @@ from casper.sim_adapter.robot.base import RobotBase
 from casper.sim_adapter.robot.space import Space
 from casper.sim_adapter.room.geometry import bearing, turn
 from casper.sim_adapter.room.placement import Spot, is_placed, place_spot
-from casper.sim_adapter.steps import Missed, StepFailed, Ticks
+from casper.sim_adapter.steps import Missed, OutOfReach, StepFailed, Ticks
 
 CARRY_CLEAR = 0.95  # a carried object's underside is kept above this
 HOVER, TOUCH = 0.12, 0.004  # metres above its place at which an object is brought there, and let down to
@@ -98,7 +99,8 @@ class RobotHand:
         self.arm.open_for(grip_of(self.scene.thing(target)).width)
         yield from self._pause(0.4)
         x, y, z = self.arm.tool
-        yield from self._glide(lambda: (x, y, max(z, min(z + 0.15, HOME[2]))))
+        with suppress(OutOfReach):  # stretched out it cannot rise
+            yield from self._glide(lambda: (x, y, max(z, min(z + 0.15, HOME[2]))))
         yield from self.home()
 
     def release(self, target: str) -> Ticks:
@@ -148,8 +150,10 @@ class RobotHand:
             raise Missed(f"the fingers closed beside {target}")
 
     def _check_reach(self) -> None:
+        """What was out of reach is not aimed at any longer: the arm goes on from where it really is."""
         if not self.arm.reachable:
-            raise Missed("the arm does not reach there")
+            self.arm.tool = self.base.local(self._tool())
+            raise OutOfReach("the arm does not reach there")
 
     def _tool(self) -> Spot:
         x, y, z = self.physics.site(f"{self.name}:tool")

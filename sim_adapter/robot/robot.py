@@ -56,6 +56,7 @@ class Robot(Worker):
         self._ending = False  # the step under way is being ended
         self._failure: str | None = None  # why, where it is given up
         self._watching: Ticks | None = None
+        self._looking = self._look_round()
 
     @property
     def pose(self) -> tuple[float, float, float]:
@@ -102,10 +103,12 @@ class Robot(Worker):
         if self._skill is None and self.queue.waiting:
             self.queue.current = self.queue.waiting.popleft()
             self._skill, self._watching = self.skills.run(self.queue.current), None
-        if self._skill is not None:
-            self._advance(self._skill)
-        else:
+        if self._skill is None:
             self._watch()
+        else:
+            self._advance(self._skill)
+            if self.base.waits:
+                next(self._looking)
         self.head.update(self.base.pose)
         self.base.update()
         self.arm.update(self.space.pace)
@@ -153,17 +156,17 @@ class Robot(Worker):
         try:
             next(self._watching)
         except (StopIteration, StepFailed):
-            self._watching = self._look_round()
+            self._watching = self._looking
 
     def _go_aside(self, spot: Point) -> Ticks:
-        yield from self.base.go(lambda: [spot])
+        yield from self.base.go(lambda others: [spot])
 
     def _take_post(self) -> Ticks:
         yield from self.skills.put_away()
         yield from self.hand.home()
         if self.post is not None and math.dist(self.post, self.base.place) > 0.1:
             post = self.post
-            yield from self.base.go(lambda: [post])
+            yield from self.base.go(lambda others: [post])
 
     def _look_round(self) -> Ticks:
         while True:

@@ -14,11 +14,11 @@ from casper.sim_adapter.physics.physics import Physics
 from casper.sim_adapter.robot.arm import HOME
 from casper.sim_adapter.robot.base import RobotBase, never
 from casper.sim_adapter.robot.hand import RobotHand
-from casper.sim_adapter.room.geometry import point_to_segment
+from casper.sim_adapter.room.geometry import Disc, point_to_segment
 from casper.sim_adapter.room.navigation import square_on
 from casper.sim_adapter.room.placement import Spot, is_placed
 from casper.sim_adapter.room.scene import Point
-from casper.sim_adapter.steps import Missed, Step, StepFailed, Ticks
+from casper.sim_adapter.steps import Missed, OutOfReach, Step, StepFailed, Ticks
 
 RINGS = (0.6, 0.52, 0.64, 0.48, 0.44, 0.66, 0.68, 0.70)  # distances to stand at beside the preferred one
 REACH = 0.76  # 2-D distance from the base beyond which the arm is of no use
@@ -41,6 +41,8 @@ class RobotSkills:
         self.base, self.hand = base, hand
         self.found = False  # the step under way had been done by somebody else when its turn came
         self._taken_from: Spot | None = None  # where what is held was grasped
+        self._stood = math.inf  # how far from its object it stood last
+        self._too_far = math.inf  # from how far the arm did not reach
 
     @property
     def holding(self) -> str | None:
@@ -50,7 +52,7 @@ class RobotSkills:
     def run(self, step: Step) -> Ticks:
         """A step of one of the skills."""
         target, destination = str(step.target), str(step.destination)
-        self.found = False
+        self.found, self._too_far = False, math.inf
         skills = {"pick_and_place": self._pick_and_place, "use": self._use}
         return skills[step.skill](target, destination)
 
@@ -84,9 +86,11 @@ class RobotSkills:
             try:
                 yield from attempt()
                 return
-            except Missed:
+            except Missed as missed:
                 if not left:
                     raise
+                if isinstance(missed, OutOfReach):
+                    self._too_far = min(self._too_far, self._stood)
             yield from self.base.stop()
             if self.holding is None:
                 yield from self.hand.back_off(target)
@@ -221,15 +225,22 @@ class RobotSkills:
         self, name: str, at: Callable[[], Point], stale: Callable[[], bool] = never
     ) -> Generator[None, None, bool]:
         """Drive to where an object at that point can be handled, and face the point; False when that became stale."""
-        rings, since = (self.settings.stand_distance, *RINGS), self.physics.time
-        if not any(abs(math.dist(self.base.place, at()) - ring) < 0.02 for ring in rings):
+        since = self.physics.time
+        if not any(abs(math.dist(self.base.place, at()) - ring) < 0.02 for ring in self._rings):
             yield from self._fold(name)
-            if not (yield from self.base.go(lambda: self._standing(name, at(), rings, since), stale)):
+            if not (yield from self.base.go(lambda others: self._standing(name, at(), others, since), stale)):
                 return False
         yield from self.base.face(at())
-        if math.dist(self.base.place, at()) > REACH:
-            raise Missed(f"{name} is out of reach")
+        self._stood = math.dist(self.base.place, at())
+        if self._stood > REACH:
+            raise OutOfReach(f"{name} is out of reach")
         return not stale()
+
+    @property
+    def _rings(self) -> list[float]:
+        """Distances to stand at, the best first: nearer than where the arm did not reach."""
+        rings = (self.settings.stand_distance, *RINGS)
+        return [ring for ring in rings if ring < self._too_far - 0.03] or [min(rings)]
 
     def _fold(self, name: str) -> Ticks:
         """Nothing is driven about with the arm stretched out."""
@@ -238,9 +249,9 @@ class RobotSkills:
         held = self.holding
         yield from self.hand.back_off(name) if held is None else self.hand.take_up(held)
 
-    def _standing(self, name: str, at: Point, rings: Sequence[float], since: float) -> list[Point]:
+    def _standing(self, name: str, at: Point, people: Sequence[Disc], since: float) -> list[Point]:
         """Where to stand for an object: so that no other one is between, or after a while of waiting anywhere."""
-        ways = self.base.navigator
+        ways, rings = self.base.navigator, self._rings
         others = [
             (self._at(other), self.scene.thing(other).radius + BESIDE)
             for other in self.scene.movables
@@ -249,8 +260,8 @@ class RobotSkills:
         points = square_on(self.scene, at, ways.standing_points(at, rings))
         clear = [p for p in points if all(point_to_segment(o, (p, at)) > gap for o, gap in others)]
         if clear and self.physics.time - since < WAIT_FOR_SPACE:
-            return [point for point in clear if ways.free(point, self.base.others())]
-        return ways.standing_points(at, rings, self.base.others())
+            return [point for point in clear if ways.free(point, people)]
+        return ways.standing_points(at, rings, people)
 
     def _at(self, name: str) -> Point:
         x, y, _ = self.physics.position(name)
