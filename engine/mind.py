@@ -42,7 +42,8 @@ from casper.engine.verification.assumed import Assumed, assumed
 from casper.engine.verification.doubtful import Judged
 from casper.engine.verification.history import Done, History, history_settings
 from casper.engine.verification.observation import Observation, Seen
-from casper.engine.verification.verification import Verifier
+from casper.engine.verification.unwatched import CARRYING, Unwatched
+from casper.engine.verification.verification import Statement, Verifier
 from casper.kb.base import KnowledgeBase
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
@@ -117,6 +118,7 @@ class Mind:
         self._refused: str | None = None  # the statement that was refused last: its verdict is told once
         self._accepted: Observation | None = None  # the last action
         self._assumed: Assumed | None = None  # where it is done, where that was not seen yet
+        self._unwatched = Unwatched(self.partner)
         self._lost: Compound | None = None  # what was told last of what is forgotten
 
     @property
@@ -158,8 +160,10 @@ class Mind:
         relations = self.perception.update(world)
         if self._remembers:
             self.memories.update(self.partner, world.t, relations)
+        found = self._unwatched.update(world) if self.doubting is None else ()
+        unseen = [event for thing, place in found for event in self._infer(thing, place, world.t)]
         if relations is None:
-            return []
+            return unseen
         focus = self.focus.update(relations)
         movement = self.movements.update(relations, focus)
         events = [event.about(self.partner) for event in (focus_event(focus), movement_event(movement))]
@@ -169,7 +173,14 @@ class Mind:
         if prediction is not None:
             about = self._about(focus, world, handled)
             events += [event.about(self.partner) for event in self._consider(prediction, about, world)]
-        return [*events, *self._put_elsewhere(relations, world)]
+        return [*unseen, *events, *self._put_elsewhere(relations, world)]
+
+    def _infer(self, thing: str, place: str, t: float) -> Iterator[Event]:
+        """A thing lies where nobody saw it brought: a step of a goal that was taken to be given up, perhaps."""
+        for action in (name for name in self._known_actions if self._skills.get(name, name) == CARRYING):
+            statement = Statement(t, self.partner, action, thing, place)
+            if self.verifier is None or self.verifier.judge(statement).valid:
+                yield from self.course.inferred(Observation(action, (thing, place), t), t)
 
     def _put_elsewhere(self, relations: Relations, world: WorldState) -> list[Event]:
         """What was taken to be brought to the one place where it may go, and was put down elsewhere, is taken back."""

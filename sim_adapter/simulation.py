@@ -24,7 +24,6 @@ from casper.sim_adapter.room.making_way import HELD_UP, spot_out_of_the_way
 from casper.sim_adapter.room.navigation import Navigator
 from casper.sim_adapter.room.placement import is_placed
 from casper.sim_adapter.room.scene import Point, Scene
-from casper.sim_adapter.steps import Step
 
 APART = 0.1  # metres kept between two agents beside their radii
 HOME = 0.15  # metres from where it began within which an object is at its place
@@ -160,14 +159,14 @@ class Simulation:
         return True
 
     def _make_way(self) -> None:
-        """Those who have nothing to do make way for one who has waited for a while; the robot does for people."""
+        """Those who can make way for one who has waited for a while; the robot does for people."""
         movers: dict[str | None, RobotBase | HumanWalk] = {name: human.walk for name, human in self.people.items()}
         for name, mover in {None: self.robot.base, **movers}.items():
             waits = mover.held_up >= HELD_UP and not (name is None and self.robot.idle)
             if not waits or self.time - self._made_way.get(name, -math.inf) < HELD_UP:
                 continue
             self._made_way[name] = self.time
-            for human in (h for h in self.people.values() if h.name != name and h.idle):
+            for human in (h for h in self.people.values() if h.name != name and h.can_make_way):
                 self._send_away(human, name, mover)
             if name is not None:
                 self._let_through(name, mover)
@@ -182,7 +181,7 @@ class Simulation:
     def _send_away(self, human: Human, name: str | None, mover: RobotBase | HumanWalk) -> None:
         robot_stands = name is None and self.robot.space.pace == 0.0
         if not mover.goals or robot_stands:  # somebody stands wherever one could stand, or too near for it to move
-            human.do([Step("stand_aside")])
+            human.make_way(None)
             return
         radius = self.scene.human_settings.radius
         spot = self._spot_aside(name, mover, human.place, radius, human.walk.navigator, human.name)

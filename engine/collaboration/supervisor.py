@@ -18,7 +18,8 @@ from casper.engine.explanation.situation import Situation
 from casper.engine.verification.observation import Seen, certainty_of
 from casper.kb.terms.terms import Compound
 
-AT_ONCE = ActingSettings()
+LIKELY = ActingSettings()
+NEEDED = 2 / 3  # probability from which a part of the robot is worth doing, where it may have been done
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +79,7 @@ class Supervisor:
     from which the robot's turn has come; else the reading's policy decides.
     """
 
-    def __init__(self, reading: Reads, robot: str | None, acting: ActingSettings = AT_ONCE) -> None:
+    def __init__(self, reading: Reads, robot: str | None, acting: ActingSettings = LIKELY) -> None:
         self.reading, self.robot, self.acting = reading, robot, acting
         self.commitment: Commitment | None = None
         self.waiting: tuple[Compound, ...] = ()
@@ -87,6 +88,7 @@ class Supervisor:
         self.given_up: set[Compound] = set()  # what the robot could not do, and announces no more
         self.is_withdrawn = False  # what was announced last was taken back
         self.sure: float | None = None
+        self.is_instead = False  # another goal that was believed in must have been given up for this one
         self._made: CollaborativePlan | None = None  # the last one that was announced
         self._said = ""  # the last sentence about what the robot does now
 
@@ -138,12 +140,17 @@ class Supervisor:
             yield from self._follow(self.commitment, t)
 
     def sureness_of(self, goal: str) -> float:
-        """How sure a goal is (`acting`): by its posterior, and by the actions that its best explanation uses."""
+        """How sure a goal is (`acting`): by its posterior, and by what its best explanation uses and takes for unseen.
+
+        Of a poor sensor it is no news that actions went unseen.
+        """
         explanation = self.reading.best_of(goal)
         if explanation is None:
             return 0.0
         used = (seen for at, seen in enumerate(self.reading.observations) if at not in explanation.needless)
-        return sureness(self.reading.posterior.get(goal, explanation.share), map(certainty_of, used))
+        unseen = explanation.missed if self.sure is None else 0
+        posterior = self.reading.posterior.get(goal, explanation.share)
+        return sureness(posterior, map(certainty_of, used), unseen, self.is_instead)
 
     @property
     def _outcome(self) -> str | None:
@@ -153,11 +160,13 @@ class Supervisor:
         return goal if share >= self.sure else None
 
     def _is_due(self, plan: CollaborativePlan) -> bool:
-        """Whether it is sure enough that the robot has nothing to wait for, where it has nothing to wait for."""
+        """Where it has nothing to wait for: whether that is sure enough, and whether its part is probably needed."""
         if self.sure is None or plan.waiting or self.robot is None:
             return True
-        parts = self.reading.plans_for(self.robot)
-        return sum(share for part, share in parts.items() if part.goal == plan.goal and not part.waiting) >= self.sure
+        parts = [(part, share) for part, share in self.reading.plans_for(self.robot).items() if part.goal == plan.goal]
+        due = sum(share for part, share in parts if not part.waiting)
+        needed = sum(share for part, share in parts if set(plan.actions) <= set(part.actions))
+        return due >= self.sure and needed >= NEEDED
 
     def withdraw(self, t: float, because: str) -> Iterator[Event]:
         """Give up what was announced and is not done yet; yields ``withdrawn`` where there is such a thing."""

@@ -64,9 +64,8 @@ class Count:
         best, worthy, many, clear, mine = self._best[at], self._worthy[at], self._many[at], self._clear[at], before[at]
         among = (mine & best) != 0
         stays = np.where(among & (clear | (many > 2)), mine, _NONE)
-        open_ = (many == 2) & ~among
-        votes[at] = np.where(open_, np.where(clear, best, _NONE), stays)
-        candidates[at] = np.where(open_, _NONE, worthy & ~mine)
+        votes[at] = np.where(among, stays, np.where(clear | (many > 2), best, _NONE))
+        candidates[at] = np.where(among, worthy & ~mine, _NONE)
         return votes, candidates
 
     def _targets(self, votes: Array) -> tuple[Array, Array]:

@@ -45,8 +45,9 @@ class Votes:
 
     A step in which nothing is clearly best casts an empty vote. Ties: two equal best of which one
     is the target leave it the target and make the other a candidate for the destination; otherwise both are
-    candidates for the target, in the same step. Three or more equal best vote for the target that is, the
-    others for the destination. There is no destination without a target.
+    candidates for the target, in the same step. Of three or more none can be clearly best: they vote for the
+    target that is, if it is one of them, the others for the destination, else all for the target. There is no
+    destination without a target.
     """
 
     __slots__ = ("_attended", "_destinations", "_targets", "attended", "destination", "target", "windows")
@@ -103,8 +104,8 @@ class Votes:
         best, worthy, second, clear = ballot
         if len(best) < 2:
             return best if clear else (), second
-        if len(best) == 2 and self.target not in best:
-            return best if clear else (), ()
+        if self.target not in best:
+            return best if clear or len(best) > 2 else (), ()
         stays = (self.target,) if self.target is not None and self.target in best and (clear or len(best) > 2) else ()
         return stays, tuple([name for name in worthy if name != self.target])
 

@@ -20,10 +20,10 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from casper.engine.collaboration.acting import ActingSettings
-from casper.engine.collaboration.supervisor import AT_ONCE, Supervisor
+from casper.engine.collaboration.supervisor import LIKELY, Supervisor
 from casper.engine.events import Event
 from casper.engine.reading.reading import Reading
-from casper.engine.reading.segments import Begins, BySight, LeftOut, Segments
+from casper.engine.reading.segments import Begins, BySight, LeftOut, Segments, refusal_of
 from casper.engine.reading.underway import ABANDONED, FINISHED, UNCLEAR, Underway
 from casper.engine.verification.observation import Observation, Seen
 from casper.kb.errors import CasperError
@@ -55,7 +55,7 @@ class Course:
         segments: Callable[[str, Callable[[], Reading]], Segments] | None = None,
         others: Callable[[], Iterable[Course]] = tuple,
         stops: bool = False,
-        acting: ActingSettings = AT_ONCE,
+        acting: ActingSettings = LIKELY,
     ) -> None:
         self.partner, self.robot, self.others, self.stops = partner, robot, others, stops
         self.acting = acting
@@ -138,6 +138,22 @@ class Course:
         for event in self._taken(episode, t):
             yield Event(event.type, event.t, {**event.about(self.partner).data, "by": other})
 
+    def inferred(self, observation: Seen, t: float) -> Iterator[Event]:
+        """What the partner must have done unseen: a goal that it is a step of was not given up.
+
+        Nothing is announced for that: whoever went on alone may have done the rest, too.
+        """
+        aside = [episode for episode, _ in reversed(self.aside)]
+        for episode in (*self.open_episodes, *aside):
+            if refusal_of(observation, episode) is None:
+                if episode not in aside:
+                    episode.reading.undo()
+                    return
+                yield from _about(self.partner, self._taken_up(episode, t))
+                episode.note(t)
+                yield Event("reading", t, episode.reading.to_json()).about(self.partner)
+                return
+
     def did(self, action: Compound, t: float) -> Iterator[Event]:
         """The robot has done an action that it had announced; its episode is over with the last of them."""
         self.segments.did(action, self.robot or "", t)
@@ -206,6 +222,8 @@ class Course:
         if row in self.rows:
             self.rows.remove(row)
         self.helped.append(episode)
+        if self.current.instead_of is episode:
+            self.current.supervisor.is_instead = False
         yield from self._crowded(t)
 
     def _crowded(self, t: float) -> Iterator[Event]:
@@ -228,6 +246,7 @@ class Course:
         outcome = before.outcome
         yield from self._close(before, outcome, t, before.last)
         before.instead_of, self.current.instead_of = None, before
+        self.current.supervisor.is_instead = outcome == ABANDONED
         if outcome != FINISHED:
             self.aside.append((before, self.rows[-1]))
 

@@ -4,13 +4,16 @@
 
 * what fits the episode under way goes on with it; what is a step that the partner had left to the robot, with that one;
 * what fits neither, and is the first step of a goal, begins a new episode;
+* what fits nothing is left out; where a goal explains two or three such together they begin a new episode, as they do
+  together with what fits if that makes more than the episode under way has;
 * what fits only what another partner is doing is a step of that;
 * what comes next of a goal that was taken to be given up, and fits nothing else, is a step of that: it was not;
-* what repeats a step of the episode that has just closed, and begins nothing, is left out, as is what fits nothing.
+* what repeats a step of the episode that has just closed, or of one whose rest is the robot's, is left out.
 """
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol, TypeAlias
@@ -52,6 +55,7 @@ class LeftOut:
 Placed: TypeAlias = "GoesOn | Begins | LeftOut"
 Refusal: TypeAlias = Mapping[str, Sequence[str]]  # goal -> why it explains nothing with the action
 
+MOST_ODD = 3  # actions in a row that fit nothing, and are looked at together
 LONGEST = 1000  # actions of one episode, needless ones among them; then another begins
 
 
@@ -95,10 +99,12 @@ class BySight:
     def __init__(self, fresh: Callable[[], Reading]) -> None:
         self._fresh = fresh
         self._last: Underway | None = None  # the episode that closed last
+        self._left_out: deque[tuple[Seen, str]] = deque(maxlen=MOST_ODD)  # what fitted nothing lately, and why
 
     def closed(self, episode: Underway) -> None:
         """Its steps may be seen once more."""
         self._last = episode
+        self._left_out.clear()
 
     def did(self, action: Compound, robot: str, t: float) -> None:
         """Of no matter to what is seen next."""
@@ -118,7 +124,8 @@ class BySight:
         for episode in ([current] if is_open else []) + list(reversed(helped)):
             refusal = refusal_of(seen, episode)
             if refusal is None:
-                return GoesOn(episode)
+                instead = self._fits_better(seen, episode) if episode is current else None
+                return GoesOn(episode) if instead is None else instead
             refusals.append(refusal)
         if is_beginning(self._fresh(), seen):
             return Begins(because_of(refusals[0], current) if is_open else "")
@@ -133,17 +140,47 @@ class BySight:
             return self._odd(seen, current, refusals[0])
         if self._last is not None and self._last.contains(seen):
             return LeftOut(f"is left out: {self._last.goal}, which has it, is over")
+        later = next((episode for episode in helped if episode.contains(seen)), None)
+        if later is not None:
+            return LeftOut(f"is left out: in {later.goal}, which has it, what comes after it was done")
         refusal = refusal_of(seen, current)
         return GoesOn(current) if refusal is None else _left_out(refusal)
 
     def _odd(self, seen: Seen, current: Underway, refusal: Refusal) -> Placed:
         """What is no step and no beginning is needless, where the reading allows such actions."""
         if current.reading.options.noise is None:
+            self._left_out.append((seen, because_of(refusal, current)))
+            together = self._together()
+            if together is not None:
+                self._left_out.clear()
+                return Begins(because_of(refusal, current), together)
             return _left_out(refusal)
         if len(current.reading.observations) >= LONGEST:
             return Begins(f"{LONGEST} actions were seen of it")
         current.reading.observe(seen)
         return GoesOn(current)
+
+
+    def _fits_better(self, seen: Seen, current: Underway) -> Begins | None:
+        """The action, which the episode has taken in, with what was left out, if a goal explains more by that."""
+        together = self._together(seen)
+        if together is None or len(together.observations) < len(current.reading.observations):
+            return None
+        current.reading.undo()
+        because = self._left_out[-1][1]
+        self._left_out.clear()
+        return Begins(because, together)
+
+    def _together(self, *seen: Seen) -> Reading | None:
+        """A reading of what was left out last, and of this action: of two at least, where a goal has them all."""
+        actions = [*(action for action, _ in self._left_out), *seen]
+        for start in range(len(self._left_out) - (0 if seen else 1)):
+            reading = self._fresh()
+            for action in actions[start:]:
+                reading.observe(action)
+            if reading.first is not None and not reading.first.needless:
+                return reading
+        return None
 
 
 def is_beginning(reading: Reading, seen: Seen) -> bool:

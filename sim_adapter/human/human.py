@@ -57,6 +57,8 @@ class Human(Worker):
         self._rng = rng
         self._vacant = vacant
         self._skill: Ticks | None = None
+        self._is_waiting = False  # for what somebody else holds
+        self._aside: Ticks | None = None  # how they let somebody through meanwhile
 
     @property
     def x(self) -> float:
@@ -119,10 +121,18 @@ class Human(Worker):
         step = self.queue.current or next(iter(self.queue.waiting), None)
         return step is not None and step.destination == place
 
-    def make_way(self, spot: Point) -> None:
-        """Go to a spot, if there is nothing to do."""
+    @property
+    def can_make_way(self) -> bool:
+        """Whether there is nothing to do, or nothing to be done as long as somebody else holds what is needed."""
+        return self.idle or self._is_waiting
+
+    def make_way(self, spot: Point | None) -> None:
+        """Go to a spot, or just aside (None), where they can."""
+        aside = self.walk.stand_aside() if spot is None else self.walk.make_way(spot)
         if self.idle:
-            self.queue.current, self._skill = Step("stand_aside"), self.walk.make_way(spot)
+            self.queue.current, self._skill = Step("stand_aside"), aside
+        elif self._is_waiting:
+            self._aside = aside
 
     def tick(self) -> None:
         """One control step."""
@@ -208,10 +218,19 @@ class Human(Worker):
         yield from self._wait(0.5)
 
     def _until_free(self, name: str) -> Ticks:
-        """Wait while somebody else holds the object."""
-        while self.physics.holder(name) not in (None, self.name):
+        """Wait while somebody else holds the object; who let others through meanwhile comes back to it."""
+        away = False
+        while away or self.physics.holder(name) not in (None, self.name):
+            self._is_waiting, aside, self._aside = True, self._aside, None
+            if aside is not None:
+                yield from aside
+                away = True
+            elif away and self.physics.holder(name) is None:
+                yield from self.walk.go_to(name)
+                away = False
             self.body.stand("still")
             yield
+        self._is_waiting = False
         if name in self.physics.removed:
             raise StepFailed(f"{name} is no longer there")
 

@@ -58,7 +58,7 @@ def test_a_change_from_lunch_to_breakfast_is_read_and_what_was_announced_is_with
     assert not list(broken_by(events))
     at = {e.data["goal"]: e.t for e in events if e.type == "prediction"}
     withdrawn = next(e.t for e in events if e.type == "withdrawn")
-    assert at["lunch"] < withdrawn == at["breakfast"]  # with the first action that only the new goal explains
+    assert at["lunch"] < withdrawn < at["breakfast"]  # by the second action that only the new goal explains
 
 
 def test_time_never_runs_backwards_and_every_event_names_somebody():

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from casper.engine.collaboration.acting import NEEDLESS, ActingSettings, acting_settings, sureness
+from casper.engine.collaboration.acting import CHANGED, NEEDLESS, UNSEEN, ActingSettings, acting_settings, sureness
 from casper.engine.collaboration.supervisor import Supervisor
 from casper.engine.domain.altering import altered
 from casper.engine.domain.domain import Domain
@@ -24,6 +24,19 @@ def test_one_more_action_that_speaks_for_it_never_makes_a_goal_less_sure(posteri
 @given(P, st.lists(P, max_size=5))
 def test_the_order_of_the_actions_is_nothing_to_it(posterior, seen):
     assert sureness(posterior, seen) == pytest.approx(sureness(posterior, seen[::-1]))
+
+
+@given(P, st.lists(P, max_size=5), st.integers(0, 4))
+def test_the_more_must_have_gone_unseen_the_less_sure_is_a_goal(posterior, seen, unseen):
+    assert sureness(posterior, seen, unseen + 1) <= sureness(posterior, seen, unseen) <= posterior
+    assert sureness(posterior, seen, unseen, instead=True) <= sureness(posterior, seen, unseen)
+
+
+def test_one_action_is_weighed_against_what_it_asks_one_to_believe():
+    assert sureness(1.0, [1.0], 1) == pytest.approx(0.9 * UNSEEN / (0.9 * UNSEEN + NEEDLESS))
+    assert sureness(1.0, [1.0], instead=True) == pytest.approx(0.9 * CHANGED / (0.9 * CHANGED + NEEDLESS))
+    assert sureness(1.0, [1.0], 2) < 0.5 < sureness(1.0, [1.0], 1)
+    assert sureness(1.0, [1.0], instead=True) < 0.5 < sureness(1.0, [1.0, 1.0], instead=True)
 
 
 def test_one_clear_action_is_as_sure_as_actions_are_ever_for_something():
@@ -61,10 +74,10 @@ def test_at_1_nothing_is_ever_announced():
 
 def test_what_was_hardly_recognised_says_less():
     supervisor = Supervisor(KITCHEN.reading(), "tiago", ActingSettings(0.8))
-    supervisor.reading.observe(Observation("sip", certainty=0.6))
-    assert supervisor.sureness_of("drink") == pytest.approx(0.54) and not list(supervisor.update(1.0))
-    supervisor.reading.observe(Observation("wash", certainty=0.9))
-    assert supervisor.sureness_of("drink") == pytest.approx(1 - 0.46 * 0.19) and list(supervisor.update(2.0))
+    supervisor.reading.observe(Observation(LUNCH[0][:14], ("meal", "hobs"), certainty=0.6))
+    assert supervisor.sureness_of("lunch") == pytest.approx(0.54) and not list(supervisor.update(1.0))
+    supervisor.reading.observe(Observation("cook", certainty=0.9))
+    assert supervisor.sureness_of("lunch") == pytest.approx(1 - 0.46 * 0.19) and list(supervisor.update(2.0))
 
 
 def test_a_goal_that_nothing_speaks_for_is_not_sure_at_all():
@@ -89,8 +102,8 @@ def test_an_uncertain_action_is_as_certain_as_its_likeliest_reading():
 def test_a_domain_states_the_knob_and_a_mind_may_be_given_another():
     strict = altered(KITCHEN, {"collaboration.certainty": 0.95})
     assert Mind(strict).supervisor.acting.certainty == 0.95
-    assert Mind(strict, certainty=0.5).supervisor.acting.certainty == 0.5
-    assert Mind(KITCHEN).supervisor.acting.certainty == 0.0
+    assert Mind(strict, certainty=0.6).supervisor.acting.certainty == 0.6
+    assert Mind(KITCHEN).supervisor.acting.certainty == 0.5
 
 
 @pytest.mark.parametrize("value", [-0.1, 1.1, float("nan")])

@@ -79,7 +79,7 @@ def test_a_target_needs_three_of_four_steps():
 
 
 def test_a_step_without_a_clear_best_is_an_empty_vote():
-    unclear = {name: "touch" for name in "abc"} | {"d": "near"}
+    unclear = {"a": "touch"} | {name: "near" for name in "bcdefgh"}
     steps = [{"a": "touch"}, unclear, {"a": "touch"}, {"a": "touch"}]
     assert [f.target for f in focuses(*(seen(t, qdc) for t, qdc in enumerate(steps)))] == [None, None, None, "a"]
 
@@ -142,9 +142,10 @@ def test_three_equal_best_keep_the_target_and_stand_for_the_destination():
     assert last.target == "c" and last.destination in ("a", "b")
 
 
-def test_three_equal_best_elect_no_target():
-    last = focuses(*repeated(9, {name: "touch" for name in "abc"}), settings=FocusSettings(threshold=0.1))[-1]
-    assert (last.target, last.destination) == (None, None)
+def test_three_equal_best_none_of_which_is_the_target_all_stand_for_it():
+    steps = repeated(3, {"d": "touch"}) + [seen(t, {name: "touch" for name in "abc"} | {"d": "far"}) for t in range(3, 9)]
+    last = focuses(*steps)[-1]
+    assert last.target == "a" and last.destination in ("b", "c")
 
 
 def test_a_place_that_was_passed_by_is_attended_to_no_more():

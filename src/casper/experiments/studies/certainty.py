@@ -12,8 +12,8 @@ from casper.experiments.trials import counted, flat, trials_of
 from casper.sim_adapter.partners.behaviours.table import MIXED
 
 TRIALS = 30
-VALUES = (0.0, 0.9, 0.98, 0.995)
-"""With actions recognised at .9 these ask for one, two, three and four of them (`engine.collaboration.acting`)."""
+VALUES = (0.0, 0.5, 0.9, 0.98, 0.995)
+"""With actions recognised at .9 these ask for one, one, two, three and four of them (`engine.collaboration.acting`)."""
 HARD = FACTORS["partner"][MIXED]
 """Who is watched: of a plain partner hardly anything is ever announced in vain."""
 
@@ -42,9 +42,10 @@ def says(data: Data) -> Iterator[str]:
     yield (
         "The rule: a goal is as sure as its posterior times the probability that at least one of the actions that "
         "speak for it was really one for it, where an action that was recognised with probability p counts as 0.9 p "
-        "(one action of ten serves nothing). Below `setting(collaboration, certainty, P)`, or `--certainty P`, the "
-        "robot announces nothing and does nothing; at 0, the default and the paper's, it acts on whatever the policy "
-        "commits to."
+        "(one action of ten serves nothing), weighed against what must have gone unseen (0.3 each) and another goal "
+        "that must have been given up for it (0.1). Below `setting(collaboration, certainty, P)`, or `--certainty P`, "
+        "the robot announces nothing and does nothing: by default below 0.5; at 0, the paper's, it acts on whatever "
+        "the policy commits to."
     )
     header = ("certainty", "trials", "right goals", "help finished", "wrong announcements", "withdrawn", "known at (s)")
     yield table(header, map(_cells, data.summary))
