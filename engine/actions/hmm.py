@@ -7,19 +7,20 @@ step is taken in, since the model itself does what the mode filter does for Ratc
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
 
 from casper.engine.actions.durations import Duration
+from casper.engine.actions.forward import Belief, Forward
 from casper.engine.actions.fsm import Fsm, movements_of
 from casper.engine.actions.hmm_model import HmmModel
-from casper.engine.actions.misread import Trail
+from casper.engine.actions.misread import Trail, logarithms
 from casper.engine.actions.prediction import ActionSettings, Misread, Prediction
 from casper.engine.movements.movements import Movement, MovementFilter
 from casper.engine.settings import Rows, number, require
 from casper.kb.errors import DomainError
 
 Emission = Mapping[str, Mapping[str, float]]
-_NEGLIGIBLE = 1e-7
 SURE = 0.65  # the share from which a loop is surely going on
 ROUNDS = 0.3  # of the mean time of its movements together for which it must
 SMOOTHED = 0.5  # of what is taken wrongly a step at a time is right with what came later known
@@ -55,6 +56,13 @@ def read_emission(rows: Rows, movements: tuple[str, ...], error: float) -> Emiss
     return {true: {seen: max(table[true].get(seen, 0.0), 1e-3) for seen in movements} for true in movements}
 
 
+class _Evidence(NamedTuple):
+    """What one step says: how likely what was seen is by state and phase, and its logarithm by movement."""
+
+    weights: Belief
+    logarithms: Mapping[str, float]
+
+
 class HmmRecogniser:
     """The online recogniser: a prediction stands while one action has happened with ``certainty``.
 
@@ -85,8 +93,6 @@ class HmmRecogniser:
             for true, row in emission.items()
         }
         self._every = durations or {name: Duration(settings.lasts) for name in movements_of(fsms)}
-        self._distinct = list(dict.fromkeys(self._every.values()))
-        self._phases = max(each.phases for each in self._every.values())
         self._plain, self._planned = HmmModel(settings, fsms), planned
         self._filter = MovementFilter(settings.filter_window)
         self.reset()
@@ -96,7 +102,7 @@ class HmmRecogniser:
         self._filter.reset()
         self._window: deque[str] = deque(maxlen=SHOWN)
         self._use(self._plain)
-        self._belief = {index * self._phases: p for index, p in self._model.initial.items()}
+        self._believe(self._model.initial)
         self._trail.begin(self._model.initial)
         self._weights: Mapping[str, float] = {}
         self._t: float | None = None
@@ -113,11 +119,7 @@ class HmmRecogniser:
     @property
     def underway(self) -> Mapping[str | None, float]:
         """The probability of each action to be going on or to have happened; None stands for no action."""
-        shares: dict[str | None, float] = dict.fromkeys((None, *self._fsms), 0.0)
-        for key, p in self._belief.items():
-            state = self._model.states[key // self._phases]
-            shares[state.action if state.progress >= 0 else None] += p
-        return shares
+        return dict.fromkeys((None, *self._fsms), 0.0) | self._steps.underway(self._belief)
 
     @property
     def window(self) -> tuple[str, ...]:
@@ -138,8 +140,9 @@ class HmmRecogniser:
         self._forward(movement)
         self._scores = self._happened()
         if movement.shares is not None:
-            self._last_long(movement.t)
-            self._scores = self._expected()
+            underway = self.underway
+            self._last_long(movement.t, underway)
+            self._scores = self._expected(underway)
         before, self._standing = self._standing, self._confirmed()
         action = self._standing
         if action is None:
@@ -150,15 +153,13 @@ class HmmRecogniser:
     def accept(self) -> None:
         """Begin anew behind the standing action; what movement is going on stays believed."""
         after = self._fsms[self._standing] if self._standing is not None else None
-        belief: dict[int, float] = {}
-        for key, p in self._belief.items():
-            index, phase = divmod(key, self._phases)
-            state = self._model.after(after, self._model.states[index].movement) * self._phases + phase
-            belief[state] = belief.get(state, 0.0) + p
-        self._belief = belief
-        start: dict[int, float] = {}
-        for key, p in belief.items():
-            start[key // self._phases] = start.get(key // self._phases, 0.0) + p
+        phases, belief, start = self._steps.phases, dict[int, float](), dict[int, float]()
+        for key, p in self._believed():
+            index, phase = divmod(key, phases)
+            state = self._model.after(after, self._model.states[index].movement)
+            belief[state * phases + phase] = belief.get(state * phases + phase, 0.0) + p
+            start[state] = start.get(state, 0.0) + p
+        self._belief = self._steps.belief(belief)
         self._trail.begin(start)
         self._window.clear()
         self._standing, self._candidate, self._run = None, "", 0
@@ -172,35 +173,43 @@ class HmmRecogniser:
     def _doubt(self) -> None:
         """From now on movements are not sure: what was done stays done."""
         if self._model is self._plain and self._planned:
+            phases, before, belief = self._steps.phases, list(self._believed()), dict[int, float]()
             self._use(HmmModel(self.settings, tuple(self._fsms.values()), self._planned))
-            belief: dict[int, float] = {}
-            for key, p in self._belief.items():
-                index, phase = divmod(key, self._phases)
-                at = self._model.number(self._plain.states[index])
+            for key, p in before:
+                at = self._model.number(self._plain.states[key // phases])
                 if at is not None:
-                    belief[at * self._phases + phase] = p
-            self._belief = belief or {index * self._phases: p for index, p in self._model.initial.items()}
+                    belief[at * phases + key % phases] = p
+            if belief:
+                self._belief = self._steps.belief(belief)
+            else:
+                self._believe(self._model.initial)
 
     def _use(self, model: HmmModel) -> None:
         self._model = model
-        self._durations = [self._distinct.index(self._every[state.movement]) for state in model.states]  # by state
         self._trail = Trail(model, self._every)
-        self._kept: tuple[float, list[tuple[float, ...]]] | None = None
+        self._steps = Forward(model, self._every)
+        self._said: dict[str, _Evidence] = {}
 
-    def _expected(self) -> dict[str, float]:
+    def _believe(self, shares: Mapping[int, float]) -> None:
+        """Movements that begin, by state."""
+        self._belief = self._steps.belief({index * self._steps.phases: p for index, p in shares.items()})
+
+    def _believed(self) -> Iterator[tuple[int, float]]:
+        return ((key, p) for key, p in enumerate(self._belief) if p > 0.0)
+
+    def _expected(self, underway: Mapping[str | None, float]) -> dict[str, float]:
         """The scores as they are when what begins is not all alike: each action has its weight, no action has 1."""
         weights, scores = self._weights, self._scores
         if not weights:
             return dict(scores)
-        total = sum(share * weights.get(a or "", 1.0) for a, share in self.underway.items())
+        total = sum(share * weights.get(a or "", 1.0) for a, share in underway.items())
         return {a: score * weights.get(a, 1.0) / total for a, score in scores.items()} if total > 0.0 else dict(scores)
 
-    def _last_long(self, t: float) -> None:
+    def _last_long(self, t: float, underway: Mapping[str | None, float]) -> None:
         """A loop that is surely going on, for as long as it takes, has happened though rounds of it were not made out.
 
         For those who are not sure of every movement only: of short ones some are missed.
         """
-        underway = self.underway
         going = next((a for a in self._fsms if underway[a] >= SURE and self._fsms[a].loop), None)
         if going is None or going != self._going[0]:
             self._going = going, t
@@ -217,17 +226,26 @@ class HmmRecogniser:
         return best if best and self._run >= self.settings.confirm else None
 
     def _forward(self, movement: Movement) -> None:
-        """Predict with the model, weigh with the likelihood of what was seen, and normalise.
+        """Predict with the model, and weigh with the likelihood of what was seen (`engine.actions.forward`)."""
+        said = self._evidence(movement)
+        self._trail.add(movement.t, movement.name, said.logarithms)
+        before, self._t = self._t, movement.t
+        if before is None:
+            self._belief = self._steps.seen(self._belief, said.weights)
+        else:
+            self._belief = self._steps.step(self._belief, max(movement.t - before, 0.0), said.weights)
 
-        States of no weight are dropped.
-        """
-        states, expected, phases = self._model.states, self._predicted(movement.t), self._phases
-        likelihood = self._likelihood(movement)
-        self._trail.add(movement.t, movement.name, likelihood)
-        weighed = {key: p * likelihood[states[key // phases].movement] for key, p in expected.items()}
-        total = sum(weighed.values())
-        least = total * _NEGLIGIBLE
-        self._belief = {key: p / total for key, p in weighed.items() if p > least}
+    def _evidence(self, movement: Movement) -> _Evidence:
+        """What a step says; of a movement that is sure the same each time."""
+        if movement.shares is not None or movement.likelihoods is not None:
+            return self._evidence_of(self._likelihood(movement))
+        said = self._said.get(movement.name)
+        if said is None:
+            said = self._said[movement.name] = self._evidence_of(self._likelihood(movement))
+        return said
+
+    def _evidence_of(self, likelihood: Mapping[str, float]) -> _Evidence:
+        return _Evidence(self._steps.weights(likelihood), logarithms(likelihood))
 
     def _likelihood(self, movement: Movement) -> Mapping[str, float]:
         """How likely what was seen is for each movement: as learned, or by the emission of what it was taken for."""
@@ -236,43 +254,13 @@ class HmmRecogniser:
         shares = {movement.name: 1.0} if movement.shares is None else movement.shares
         emission = self._emission if movement.shares is None else self._smoothed
         try:
-            return {name: sum(row[seen] * share for seen, share in shares.items()) for name, row in emission.items()}
+            return {name: sum([row[seen] * share for seen, share in shares.items()]) for name, row in emission.items()}
         except KeyError as unknown:
             raise DomainError(f"no transition of any action knows the movement {unknown.args[0]}") from None
-
-    def _predicted(self, t: float) -> dict[int, float]:
-        """The belief before anything is seen at ``t``: movements last, phase by phase, or change along the arcs."""
-        before, self._t = self._t, t
-        if before is None:
-            return self._belief
-        phases, arcs, passed = self._phases, self._model.arcs, self._passed(max(t - before, 0.0))
-        expected: dict[int, float] = {}
-        for key, p in self._belief.items():
-            for at, chance in enumerate(passed[key], key):
-                expected[at] = expected.get(at, 0.0) + p * chance
-        for key, p in self._belief.items():
-            moved = p * (1.0 - sum(passed[key]))
-            if moved > _NEGLIGIBLE:
-                for to, chance in arcs[key // phases]:
-                    expected[to * phases] = expected.get(to * phases, 0.0) + moved * chance
-        return expected
-
-    def _passed(self, dt: float) -> list[tuple[float, ...]]:
-        """By state and phase, how likely it is to be so many phases on in the same movement; kept for the next step."""
-        if self._kept is None or self._kept[0] != dt:
-            distinct = [each.passed(dt) for each in self._distinct]
-            of_states = [distinct[each] for each in self._durations]
-            self._kept = dt, [p[: max(len(p) - phase, 0)] for p in of_states for phase in range(self._phases)]
-        return self._kept[1]
 
     def misread(self) -> tuple[Misread, ...]:
         """Of what was seen since the last action, what was probably something else, if the standing one happened."""
         return self._trail.misread(self._standing) if self._standing is not None else ()
 
     def _happened(self) -> dict[str, float]:
-        scores = dict.fromkeys(self._fsms, 0.0)
-        complete, phases = self._model.complete, self._phases
-        for key, p in self._belief.items():
-            if (action := complete[key // phases]) is not None:
-                scores[action] += p
-        return scores
+        return dict.fromkeys(self._fsms, 0.0) | self._steps.happened(self._belief)

@@ -8,7 +8,7 @@ between two steps.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
 from casper.engine.actions.fsm import Fsm, movements_of
@@ -25,11 +25,24 @@ class State(NamedTuple):
 
 Steps: TypeAlias = Iterator[tuple[State, float]]
 """Where one leads, with probabilities; a state may come more than once."""
+Arcs: TypeAlias = tuple[tuple[int, float], ...]
+"""The same by numbers, each once."""
+Afresh: TypeAlias = tuple[str, str | None]
+"""What something new may follow: a movement, and the accepted loop that cannot begin anew."""
+
+
+class Change(NamedTuple):
+    """What a change of movement leads to: along ``own`` arcs, and with the probability ``new`` to something new."""
+
+    own: Arcs
+    new: float
+    afresh: Afresh
 
 
 class HmmModel:
     """States by number; ``arcs[i]`` lists where a change of movement leads from state i, with its probability.
 
+    ``changes[i]`` says the same without what many states have in common, which ``afresh`` lists once.
     What was done of ``keeps`` stays done until it is accepted, whatever follows: so that what was seen of it is not
     forgotten where no single step is sure.
     """
@@ -39,14 +52,16 @@ class HmmModel:
         self._movements = movements_of(fsms)
         self._index: dict[State, int] = {}
         self.states: list[State] = []
-        self.initial = self._numbered(self._fresh(None))
+        self.initial = dict(self._numbered(self._fresh(None)))
         for fsm in fsms:
             for movement in self._movements:
                 self.after(fsm, movement)
                 self.after(None, movement)
-        self.arcs: list[tuple[tuple[int, float], ...]] = []
+        self.arcs: list[Arcs] = []
+        self.changes: list[Change] = []
+        self.afresh: dict[Afresh, Arcs] = {}
         while len(self.arcs) < len(self.states):  # numbering the arcs' ends may add states
-            self.arcs.append(tuple(self._numbered(self._changes(self.states[len(self.arcs)])).items()))
+            self._add_arcs(self.states[len(self.arcs)])
         lengths = {fsm.action: len(fsm.cycle) for fsm in fsms}
         self.complete = [s.action if s.progress == lengths.get(s.action or "") else None for s in self.states]
 
@@ -66,27 +81,32 @@ class HmmModel:
             self.states.append(state)
         return self._index[state]
 
-    def _numbered(self, steps: Steps) -> dict[int, float]:
+    def _numbered(self, steps: Iterable[tuple[State, float]]) -> Arcs:
         arcs: dict[int, float] = {}
         for state, p in steps:
             if p > 0.0:
                 arcs[self._number(state)] = arcs.get(self._number(state), 0.0) + p
-        return arcs
+        return tuple(arcs.items())
 
-    def _changes(self, state: State) -> Steps:
-        """Where a change of movement leads."""
+    def _add_arcs(self, state: State) -> None:
+        onwards, share, barred = self._leads(state)
+        own, new = list(onwards), list(self._fresh(state.movement, barred))
+        self.arcs.append(self._numbered(_mixed(own, share, new)))
+        afresh = state.movement, None if barred is None else barred.action
+        self.changes.append(Change(self._numbered(_mixed(own, share, ())), 1.0 - share, afresh))
+        if share < 1.0:
+            self.afresh.setdefault(afresh, self._numbered(new))
+
+    def _leads(self, state: State) -> tuple[Steps, float, Fsm | None]:
+        """Where a change of movement leads, the share of that, and what cannot be the new that may follow else."""
         if state.action is None:
-            yield from self._fresh(state.movement)
-            return
+            return iter(()), 0.0, None
         fsm = next(f for f in self._fsms if f.action == state.action)
         if state.action in self._keeps and state.progress == len(fsm.cycle):
-            yield from _mixed(self._onwards(fsm, state), 0.5 * fsm.loop, self._whatever(state))
-        elif state.progress < 0:
-            going_on, new = self._again(fsm, state.movement), self._fresh(state.movement, barred=fsm)
-            yield from _mixed(going_on, self._settings.again, new)
-        else:
-            onwards, new = self._onwards(fsm, state), self._fresh(state.movement)
-            yield from _mixed(onwards, 1.0 - self._settings.abandon, new)
+            return _mixed(self._onwards(fsm, state), 0.5 * fsm.loop, self._whatever(state)), 1.0, None
+        if state.progress < 0:
+            return self._again(fsm, state.movement), self._settings.again, fsm
+        return self._onwards(fsm, state), 1.0 - self._settings.abandon, None
 
     def _fresh(self, movement: str | None, barred: Fsm | None = None) -> Steps:
         """Something new begins: an action at one of its first movements, or nothing in particular.
@@ -141,7 +161,7 @@ def _begins(fsm: Fsm, movements: Sequence[str]) -> dict[str, float]:
     return {m: fsm.start[m] for m in movements if fsm.start.get(m, 0.0) > 0.0}
 
 
-def _mixed(main: Steps, share: float, rest: Steps) -> Steps:
+def _mixed(main: Iterable[tuple[State, float]], share: float, rest: Iterable[tuple[State, float]]) -> Steps:
     """``share`` of the first, what is left of the second."""
     for to, p in main:
         yield to, p * share

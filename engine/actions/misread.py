@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from casper.engine.actions.durations import Duration
 from casper.engine.actions.hmm_model import HmmModel
@@ -13,6 +13,7 @@ from casper.engine.actions.prediction import Misread
 
 MOST_RUNS = 60  # of equal movements that are looked back on
 LEAST = 1e-12
+KEPT = 16  # times between two runs whose ways are kept
 
 
 @dataclass(slots=True)
@@ -22,7 +23,12 @@ class _Run:
     seen: str
     begins: float
     ends: float
-    weights: dict[str, float] = field(default_factory=dict)  # logarithms
+    weights: dict[str, float]  # logarithms
+
+
+def logarithms(likelihood: Mapping[str, float]) -> dict[str, float]:
+    """How likely what was seen is for each movement, as weights that add up over steps."""
+    return {name: math.log(max(p, LEAST)) for name, p in likelihood.items()}
 
 
 class Trail:
@@ -32,20 +38,21 @@ class Trail:
         self._model, self._durations = model, durations
         self._runs: deque[_Run] = deque(maxlen=MOST_RUNS)
         self._start: Mapping[int, float] = model.initial
+        self._kept: dict[float, list[list[tuple[int, float]]]] = {}
 
     def begin(self, start: Mapping[int, float]) -> None:
         """Behind an action, from what is believed there (probabilities by state)."""
         self._runs.clear()
         self._start = start
 
-    def add(self, t: float, seen: str, likelihood: Mapping[str, float]) -> None:
-        """One step: what was seen, and how likely that is for each movement."""
+    def add(self, t: float, seen: str, weights: Mapping[str, float]) -> None:
+        """One step: what was seen, and how likely that is for each movement (`logarithms`)."""
         if not self._runs or self._runs[-1].seen != seen:
-            self._runs.append(_Run(seen, t, t))
+            self._runs.append(_Run(seen, t, t, dict.fromkeys(weights, 0.0)))
         run = self._runs[-1]
-        run.ends = t
-        for name, p in likelihood.items():
-            run.weights[name] = run.weights.get(name, 0.0) + math.log(max(p, LEAST))
+        run.ends, so_far = t, run.weights
+        for name, weight in weights.items():
+            so_far[name] += weight
 
     def misread(self, action: str) -> tuple[Misread, ...]:
         """Of the likeliest way to this action, those runs that were something else than was seen, in order of time."""
@@ -86,15 +93,27 @@ class Trail:
     def _onward(self, best: Mapping[int, float], run: _Run, before: _Run, came: dict[int, int]) -> dict[int, float]:
         """How well each state is reached from the run before, and from where."""
         reached: dict[int, float] = {}
-        dt = run.begins - before.ends
+        ways, nowhere = self._ways(run.begins - before.ends), -math.inf
         for index, p in best.items():
-            stays = math.exp(self._stays(index, dt))
-            change = max(1.0 - stays, LEAST)
-            for to, chance in ((index, stays), *((to, change * chance) for to, chance in self._model.arcs[index])):
-                total = p + math.log(max(chance, LEAST))
-                if total > reached.get(to, -math.inf):
+            for to, weight in ways[index]:
+                total = p + weight
+                if total > reached.get(to, nowhere):
                     reached[to], came[to] = total, index
         return reached
+
+    def _ways(self, dt: float) -> list[list[tuple[int, float]]]:
+        """By state, where one is so much later, and the logarithm of the chance; kept, as most steps are equal."""
+        if dt not in self._kept:
+            if len(self._kept) == KEPT:
+                self._kept.clear()
+            self._kept[dt] = [self._ways_from(index, dt) for index in range(len(self._model.states))]
+        return self._kept[dt]
+
+    def _ways_from(self, index: int, dt: float) -> list[tuple[int, float]]:
+        stays = math.exp(self._stays(index, dt))
+        change = max(1.0 - stays, LEAST)
+        ways = ((index, stays), *((to, change * chance) for to, chance in self._model.arcs[index]))
+        return [(to, math.log(max(chance, LEAST))) for to, chance in ways]
 
     def _stays(self, index: int, dt: float) -> float:
         """The logarithm of the chance that a movement goes on for so long."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections import Counter, deque
+from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -178,7 +178,8 @@ class MovementFilter:
         self._window.append(movement)
         if len(self._window) < (self._window.maxlen or 1):
             return None
-        name = Counter(m.name for m in self._window).most_common(1)[0][0]
+        names = [m.name for m in self._window]
+        name = max(names, key=names.count)
         if name == self._kept:
             return None
         self._kept = name

@@ -74,7 +74,7 @@ class Tracker:
     def reset(self) -> None:
         """Forget every object and agent."""
         self._t: float | None = None
-        self.latest: WorldState | None = None  # what `update` returned last
+        self.latest: WorldState | None = None  # what was told last
         self._agents: dict[str, _AgentTrack] = {}
         self._objects: dict[str, _ObjectTrack] = {}
         self._gauge = Gauge()
@@ -103,19 +103,29 @@ class Tracker:
         Raises:
             WorldStateError: as `update`.
         """
+        steadies = self.settings.enabled and self.settings.steady
+        if steadies and self._steadier is not None:
+            return self._steadied(world, self._steadier)
         usual = self.update(world)
-        if not (self.settings.enabled and self.settings.steady):
+        if not steadies:
             return [usual]
         self._gauge.update(world)
-        if self._steadier is None:
-            self._recent.append(world)
-            if not self._is_poor():
-                self._last = world.t
-                return [usual]
-            chosen = self.settings
-            self._steadier = Steadier(max(self._last, world.t - 100.0), chosen.pace, chosen.lag, chosen.agent_bridge)
-            return [w for recent in self._recent for w in self._steadier.update(recent, self.quality)]
-        return self._steadier.update(world, self.quality)
+        self._recent.append(world)
+        if not self._is_poor():
+            self._last = world.t
+            return [usual]
+        chosen = self.settings
+        self._steadier = Steadier(max(self._last, world.t - 100.0), chosen.pace, chosen.lag, chosen.agent_bridge)
+        return [w for recent in self._recent for w in self._steadier.update(recent, self.quality)]
+
+    def _steadied(self, world: WorldState, steadier: Steadier) -> list[WorldState]:
+        """Those that are told by now of a poor sensor; the last of them is the world as it is believed to be."""
+        check_world(self._t, world)
+        self._t = world.t
+        told = steadier.update(world, self._gauge.update(world))
+        if told:
+            self.latest = told[-1]
+        return told
 
     def _is_poor(self) -> bool:
         """Whether the sensor is too poor to be believed a state at a time."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from casper.engine.perception.filters.quality import Quality
 from casper.engine.perception.world import ObjectState
@@ -21,22 +21,27 @@ class Absences:
         self._chances: dict[str, float] = {}
 
     def update(
-        self, seen: Mapping[str, ObjectState], spots: Mapping[str, tuple[float, float]], quality: Quality
+        self, seen: Mapping[str, ObjectState], spots: Mapping[str, Sequence[float]], quality: Quality
     ) -> None:
         """One world state.
 
         Args:
             seen: what is detected.
-            spots: where each thing is believed to be, x and y in metres.
+            spots: where things are believed to be, x and y in metres first; of what is detected it does not matter.
             quality: of the sensor.
         """
+        for name in [name for name in self._chances if name in seen]:
+            del self._chances[name]
         lost = quality.lost + MARGIN
-        for name, (x, y) in spots.items():
-            if name in seen:
-                self._chances.pop(name, None)
-            elif lost <= MOST and any(math.hypot(other.x - x, other.y - y) <= BESIDE for other in seen.values()):
+        for name, (x, y, *_) in spots.items():
+            if name not in seen and lost <= MOST and _is_beside(x, y, seen):
                 self._chances[name] = self._chances.get(name, 1.0) * lost
 
     def is_gone(self, name: str) -> bool:
         """Whether it is hardly there any more."""
         return self._chances.get(name, 1.0) < GONE
+
+
+def _is_beside(x: float, y: float, seen: Mapping[str, ObjectState]) -> bool:
+    """Whether something is seen beside a place."""
+    return any(math.hypot(other.x - x, other.y - y) <= BESIDE for other in seen.values())

@@ -2,6 +2,9 @@
 
 The one of rest stays where it is; that of being carried goes along with the carrier and wanders. They are mixed at each
 step (interacting multiple models, Blom and Bar-Shalom 1988), and what follows within the lag is looked at, too.
+
+It runs for each thing in each world state, so beliefs are plain tuples; `engine.perception.filters.specification` says
+the same in plainer words.
 """
 
 from __future__ import annotations
@@ -9,7 +12,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable
 from math import exp, pi
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from casper.engine.perception.world import ObjectState
 
@@ -28,78 +31,40 @@ QUIET = 5 * LEAST  # share of being carried below which nobody near means that a
 AS_USUAL = 9.0  # squared deviations from where it lies within which a detection is no news
 ELSEWHERE = 1e-7  # density (m⁻³) at or below which neither model expects a detection
 JUMPS = 3  # detections in a row where nobody could have brought it
+TWO_PI = 2 * pi
+
+Belief: TypeAlias = tuple[float, float, float, float]
+"""A place, x, y and z in metres, and the variance of a coordinate (m²)."""
+Moment: TypeAlias = tuple[float, float, float, float, float, float, Belief, Belief, str | None]
+"""What was known at one moment: the time, how likely what was seen since the one before is at rest and in a hand, the
+chances of having been taken and put down since, the share of being carried, both beliefs, and who was near."""
 
 
-class Belief(NamedTuple):
-    """A place, metres, and the variance of a coordinate."""
+class Near(NamedTuple):
+    """Who is near: where they are (metres), and how fast they go (m/s along both axes, 0 for one who stands)."""
 
+    name: str
     x: float
     y: float
-    z: float
-    variance: float
-
-    def moved(self, dx: float, dy: float, spread: float) -> Belief:
-        """Elsewhere, and less sure."""
-        x, y, z, variance = self
-        return Belief(x + dx, y + dy, z, variance + spread)
-
-    def density(self, x: float, y: float, z: float, noise: float) -> float:
-        """How likely a detection there is."""
-        own_x, own_y, own_z, variance = self
-        dx, dy, dz, s = x - own_x, y - own_y, z - own_z, variance + noise
-        return float(exp(-0.5 * (dx * dx + dy * dy + dz * dz) / s) * (2 * pi * s) ** -1.5)
-
-    def corrected(self, x: float, y: float, z: float, noise: float) -> Belief:
-        """After a detection."""
-        own_x, own_y, own_z, variance = self
-        k = variance / (variance + noise)
-        return Belief(own_x + k * (x - own_x), own_y + k * (y - own_y), own_z + k * (z - own_z), (1 - k) * variance)
-
-    def mixed(self, other: Belief, share: float, gone: tuple[float, float] = (0.0, 0.0), wide: float = 0.0) -> Belief:
-        """One belief for two, of which the other has that share; then moved, and less sure."""
-        x, y, z, variance = self
-        other_x, other_y, other_z, other_variance = other
-        dx, dy, dz = other_x - x, other_y - y, other_z - z
-        spread = share * (1 - share) * (dx * dx + dy * dy + dz * dz) / 3
-        variance = (1 - share) * variance + share * other_variance + spread
-        return Belief(x + share * dx + gone[0], y + share * dy + gone[1], z + share * dz, variance + wide)
-
-
-class Moment(NamedTuple):
-    """What was known at one moment: likelihoods of both models since the one before, and their shares after it."""
-
-    t: float
-    likelihoods: tuple[float, float]
-    change: tuple[float, float]
-    carried: float
-    rest: Belief
-    hand: Belief
-    by: str | None
+    vx: float
+    vy: float
 
 
 class Handling:
     """One thing."""
 
+    __slots__ = ("carried", "flat", "hand", "home", "moments", "news", "outside", "rest")
+
     def __init__(self, t: float, seen: ObjectState, noise: float, carried: float = 0.02, kept: int = 400) -> None:
-        here = Belief(seen.x, seen.y, seen.z or 0.0, noise)
+        here = (seen.x, seen.y, seen.z or 0.0, noise)
         self.flat = seen.z is None
-        self.rest = self.hand = self.home = here  # home: where it lay for sure
+        self.rest: Belief = here
+        self.hand: Belief = here
+        self.home: Belief = here  # where it lay for sure
         self.carried = carried
         self.outside = 0
-        self.moments: deque[Moment] = deque([Moment(t, (1.0, 1.0), (0.0, 0.0), carried, here, here, None)], maxlen=kept)
-
-    def expect(self, dt: float, by: str | None, gone: tuple[float, float]) -> tuple[float, float]:
-        """Time goes by, somebody within reach has moved; the chances of being taken and put down in it."""
-        near = by is not None
-        taken, put = 1 - exp(-TAKEN * dt) if near else NEVER, 1 - exp(-PUT * dt)
-        rest, hand = 1 - self.carried, self.carried
-        now = hand * (1 - put) + rest * taken
-        to_hand, to_rest = rest * taken / now, hand * put / (1 - now)
-        before = self.rest
-        self.rest = before.mixed(self.hand, to_rest, wide=SETTLES * dt)
-        self.hand = self.hand.mixed(before, to_hand, gone, STEADY * dt)
-        self.carried = now
-        return taken, put
+        self.news = t  # since then nothing was learned but that it lies
+        self.moments: deque[Moment] = deque([(t, 1.0, 1.0, 0.0, 0.0, carried, here, here, None)], maxlen=kept)
 
     def lies(self, t: float, seen: ObjectState | None, noise: float) -> bool:
         """Take in a moment at which nobody is near and it lies where it lay, if it does; the whole of `update` else.
@@ -108,9 +73,8 @@ class Handling:
         """
         if self.carried > QUIET or self.outside:
             return False
-        here = self.rest
-        x, y, z, variance = here
-        variance += SETTLES * (t - self.moments[-1].t)
+        x, y, z, variance = self.rest
+        variance += SETTLES * (t - self.moments[-1][0])
         if seen is not None:
             dx, dy, dz = seen.x - x, seen.y - y, (seen.z or 0.0) - z
             s = variance + noise
@@ -118,69 +82,85 @@ class Handling:
                 return False
             k = variance / s
             x, y, z, variance = x + k * dx, y + k * dy, z + k * dz, (1 - k) * variance
-        here = Belief(x, y, z, variance)
-        self.rest = self.hand = self.home = here
-        self.moments.append(Moment(t, (1.0, 1.0), (0.0, 0.0), self.carried, here, here, None))
+        self.rest = self.hand = self.home = here = (x, y, z, variance)
+        self.moments.append((t, 1.0, 1.0, 0.0, 0.0, self.carried, here, here, None))
         return True
 
     def update(
-        self,
-        t: float,
-        change: tuple[float, float],
-        by: str | None,
-        seen: ObjectState | None,
-        noise: float,
-        told: tuple[float, float],
-        carrier: tuple[float, float] | None = None,
+        self, t: float, near: Near | None, seen: ObjectState | None, noise: float, told: tuple[float, float]
     ) -> bool:
-        """A detection, or none; whether the thing jumped.
+        """Time goes by until a detection, or none; whether the thing jumped.
 
         Args:
-            t: when. change: what `expect` said. by: who is within reach, standing at ``carrier``.
+            t: when. near: who is within reach.
             seen: the detection. noise: its variance (m²).
             told: how likely what is told of the hand is when the thing rests, and when it is carried.
         """
+        dt = t - self.moments[-1][0]
+        taken, put = self._expect(dt, near)
         rest, hand = told
         jumped = False
         if seen is not None:
             x, y, z = seen.x, seen.y, seen.z or 0.0
-            at_rest, rest_now = self._at_rest(x, y, z, noise, carrier)
-            in_hand, hand_now = self._in_hand(x, y, z, noise, t - self.moments[-1].t, carrier)
+            at_rest, rest_now = self._at_rest(x, y, z, noise, near)
+            in_hand, hand_now = self._in_hand(x, y, z, noise, dt, near)
             jumped = self._jumps(max(at_rest, in_hand))
             if jumped:
-                self.rest = self.hand = Belief(x, y, z, noise)
-                self.carried, at_rest, in_hand = 0.5, 1.0, 1.0
+                self.rest = self.hand = (x, y, z, noise)
+                self.carried = 0.5
             elif self.outside == 0:
                 rest, hand = rest * at_rest, hand * in_hand
-                self.rest = rest_now
-                self.hand = hand_now
-        total = (1 - self.carried) * rest + self.carried * hand
+                self.rest, self.hand = rest_now, hand_now
+        carried = self.carried
+        total = (1 - carried) * rest + carried * hand
         if total > 0.0:
-            self.carried = min(max(self.carried * hand / total, LEAST), 1 - LEAST)
-        if self.carried < SURE_FREE:
+            self.carried = carried = min(max(carried * hand / total, LEAST), 1 - LEAST)
+        if carried < SURE_FREE:
             self.home = self.rest
-        self.moments.append(Moment(t, (rest, hand), change, self.carried, self.rest, self.hand, by))
+        by = None if near is None else near.name
+        self.moments.append((t, rest, hand, taken, put, carried, self.rest, self.hand, by))
+        self.news = t
         return jumped
 
-    def _at_rest(
-        self, x: float, y: float, z: float, noise: float, carrier: tuple[float, float] | None
-    ) -> tuple[float, Belief]:
+    def _expect(self, dt: float, near: Near | None) -> tuple[float, float]:
+        """Time goes by, somebody within reach has moved; the chances of being taken and put down in it."""
+        rest_x, rest_y, rest_z, rest_v = self.rest
+        hand_x, hand_y, hand_z, hand_v = self.hand
+        put, hand = 1 - exp(-PUT * dt), self.carried
+        rest, gone_x, gone_y, taken = 1 - hand, 0.0, 0.0, NEVER
+        if near is not None:
+            gone_x, gone_y, taken = near.vx * dt, near.vy * dt, 1 - exp(-TAKEN * dt)
+        now = hand * (1 - put) + rest * taken
+        a, b = rest * taken / now, hand * put / (1 - now)  # of what is in a hand, or rests, so much did not before
+        dx, dy, dz = hand_x - rest_x, hand_y - rest_y, hand_z - rest_z
+        apart = dx * dx + dy * dy + dz * dz
+        variance = (1 - b) * rest_v + b * hand_v + b * (1 - b) * apart / 3
+        self.rest = (rest_x + b * dx, rest_y + b * dy, rest_z + b * dz, variance + SETTLES * dt)
+        variance = (1 - a) * hand_v + a * rest_v + a * (1 - a) * apart / 3
+        self.hand = (hand_x - a * dx + gone_x, hand_y - a * dy + gone_y, hand_z - a * dz, variance + STEADY * dt)
+        self.carried = now
+        return taken, put
+
+    def _at_rest(self, x: float, y: float, z: float, noise: float, near: Near | None) -> tuple[float, Belief]:
         """How likely the detection is when it rests, and where it then is: as before, put back, or put down anew."""
-        if self.carried < SURE_FREE or carrier is None:
-            return self.rest.density(x, y, z, noise), self.rest.corrected(x, y, z, noise)
-        anew = Belief(*carrier, self.hand.z, ARM)
-        return _likeliest(((STAYS, self.rest), (BACK, self.home), (ANEW, anew)), x, y, z, noise)
+        rest = self.rest
+        if self.carried < SURE_FREE or near is None:
+            return density(rest, x, y, z, noise), corrected(rest, x, y, z, noise)
+        anew = (near.x, near.y, self.hand[2], ARM)
+        return likeliest(((STAYS, rest), (BACK, self.home), (ANEW, anew)), x, y, z, noise)
 
     def _in_hand(
-        self, x: float, y: float, z: float, noise: float, dt: float, carrier: tuple[float, float] | None
+        self, x: float, y: float, z: float, noise: float, dt: float, near: Near | None
     ) -> tuple[float, Belief]:
         """How likely the detection is when it is carried, and where it then is."""
-        ways = [(KEEPS, self.hand), (WANDERING, self.hand.moved(0, 0, WANDERS * dt))]
+        hand, (rest_x, rest_y, rest_z, rest_v) = self.hand, self.rest
+        hand_x, hand_y, hand_z, hand_v = hand
+        ways = [(KEEPS, hand), (WANDERING, (hand_x, hand_y, hand_z, hand_v + WANDERS * dt))]
         if not self.flat:
-            ways.append((LIFTS, Belief(self.rest.x, self.rest.y, self.rest.z + LIFTED, self.rest.variance + LIFT)))
-        if carrier is not None:
-            ways.append((REACHES, Belief(*carrier, self.rest.z, ARM)))
-        return _likeliest(ways, x, y, z, noise)
+            ways.append((LIFTS, (rest_x, rest_y, rest_z + LIFTED, rest_v + LIFT)))
+        if near is not None:
+            ways.append((REACHES, (near.x, near.y, rest_z, ARM)))
+        return likeliest(ways, x, y, z, noise)
 
     def _jumps(self, best: float) -> bool:
         self.outside = self.outside + 1 if best <= ELSEWHERE else 0
@@ -194,34 +174,64 @@ class Handling:
 
         None: it was not known yet.
         """
+        return self._lying(t) if t >= self.news else self._weighed(t)
+
+    def _lying(self, t: float) -> tuple[float, ObjectState, str | None] | None:
+        """The same of a moment after which it only lay: what came later says nothing of it."""
+        for moment in reversed(self.moments):
+            if moment[0] <= t:
+                share = moment[5]
+                x, y, z, _ = self.rest if share < 0.5 else moment[7]
+                return share / (share + (1 - share)), ObjectState(x, y, None if self.flat else z), moment[8]
+        return None
+
+    def _weighed(self, t: float) -> tuple[float, ObjectState, str | None] | None:
+        """The same of any moment."""
         rest = hand = 1.0  # likelihoods of what came later
         lies = True  # from then on
         ahead: Moment | None = None
         for moment in reversed(self.moments):
             if ahead is not None:
-                (at_rest, in_hand), (taken, put) = ahead.likelihoods, ahead.change
-                r, h = at_rest * rest, in_hand * hand
-                rest, hand = (1 - taken) * r + taken * h, put * r + (1 - put) * h
-                top = max(rest, hand)
+                _, at_rest, in_hand, taken, put, *_ = ahead
+                at_rest, in_hand = at_rest * rest, in_hand * hand
+                rest, hand = (1 - taken) * at_rest + taken * in_hand, put * at_rest + (1 - put) * in_hand
+                top = rest if rest >= hand else hand
                 rest, hand = (rest / top, hand / top) if top > 0.0 else (1.0, 1.0)
-            lies = lies and moment.carried < 0.5
-            if moment.t <= t:
-                share = moment.carried * hand / (moment.carried * hand + (1 - moment.carried) * rest)
-                spot = self.moments[-1].rest if lies else moment.rest if share < 0.5 else moment.hand
-                return share, ObjectState(spot.x, spot.y, None if self.flat else spot.z), moment.by
+            carried = moment[5]
+            lies = lies and carried < 0.5
+            if moment[0] <= t:
+                share = carried * hand / (carried * hand + (1 - carried) * rest)
+                x, y, z, _ = self.rest if lies else moment[6] if share < 0.5 else moment[7]
+                return share, ObjectState(x, y, None if self.flat else z), moment[8]
             ahead = moment
         return None
 
 
-def _likeliest(
+def density(belief: Belief, x: float, y: float, z: float, noise: float) -> float:
+    """How likely a detection there is."""
+    own_x, own_y, own_z, variance = belief
+    dx, dy, dz, s = x - own_x, y - own_y, z - own_z, variance + noise
+    return float(exp(-0.5 * (dx * dx + dy * dy + dz * dz) / s) * (TWO_PI * s) ** -1.5)
+
+
+def corrected(belief: Belief, x: float, y: float, z: float, noise: float) -> Belief:
+    """After a detection."""
+    own_x, own_y, own_z, variance = belief
+    k = variance / (variance + noise)
+    return own_x + k * (x - own_x), own_y + k * (y - own_y), own_z + k * (z - own_z), (1 - k) * variance
+
+
+def likeliest(
     ways: Iterable[tuple[float, Belief]], x: float, y: float, z: float, noise: float
 ) -> tuple[float, Belief]:
     """The density of a detection over weighed beliefs, and the likeliest of them corrected by it."""
-    total, most, likeliest = 0.0, -1.0, None
+    total, most, found = 0.0, -1.0, None
     for share, way in ways:
-        weight = share * way.density(x, y, z, noise)
+        own_x, own_y, own_z, variance = way
+        dx, dy, dz, s = x - own_x, y - own_y, z - own_z, variance + noise
+        weight = share * (exp(-0.5 * (dx * dx + dy * dy + dz * dz) / s) * (TWO_PI * s) ** -1.5)
         total += weight
         if weight > most:
-            most, likeliest = weight, way
-    assert likeliest is not None
-    return total, likeliest.corrected(x, y, z, noise)
+            most, found = weight, way
+    assert found is not None
+    return total, corrected(found, x, y, z, noise)

@@ -52,11 +52,12 @@ class Gauge:
             self._periods.append(world.t - self._t)
         self._t, now, before = world.t, world.objects, self._before
         for name, thing in now.items():
-            if name in before:
-                dx, dy = thing.x - before[name].x, thing.y - before[name].y
+            was = before.get(name)
+            if was is not None:
+                dx, dy = thing.x - was.x, thing.y - was.y
                 self._squares.append((dx * dx + dy * dy) / 2.0)
             if name in self._earlier:
-                self._gaps.append(name not in before)
+                self._gaps.append(was is None)
         self._earlier, self._before = before, now
         self._count += 1
         if len(self._squares) == KEPT and self._count % OFTEN:

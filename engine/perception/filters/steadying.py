@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import TypeAlias
 
 from casper.engine.perception.filters.absence import Absences
-from casper.engine.perception.filters.handling import QUIET, Belief, Handling
+from casper.engine.perception.filters.handling import QUIET, Handling, Near
 from casper.engine.perception.filters.quality import Quality
 from casper.engine.perception.filters.walking import Motion, Way
 from casper.engine.perception.world import AgentState, Doubt, ObjectState, WorldState
@@ -26,8 +28,13 @@ STRIDE = 0.4  # m/s, standard deviation along an axis of how fast walkers go
 STEADIER = 0.25  # share of its variance with which a speed is really off, of who stands
 SLACK = 1.0  # of the noise, by which what is within a band seems beyond it all along: means settle slowly
 AVERAGED = 3  # steps that somebody stands through which are as good as one
+IF_NEAR = 0.06  # how often what rests near somebody is told to be in the hand
 LOOKS = 0.3  # seconds around a moment whose headings count
 AROUND = 8 * LOOKS  # what is farther away counts for nothing
+
+
+Look: TypeAlias = tuple[float, float, float]
+"""When a heading was sensed, its sine and its cosine."""
 
 
 @dataclass
@@ -35,7 +42,7 @@ class _Person:
     """What is kept of one agent: the way, what was sensed of heading by time, and what was told last."""
 
     way: Way = field(default_factory=Way)
-    looks: deque[tuple[float, float]] = field(default_factory=lambda: deque(maxlen=400))
+    looks: deque[Look] = field(default_factory=lambda: deque(maxlen=400))
     told: AgentState | None = None
     stood: int = 0
     middle: tuple[float, float] = (0.0, 0.0)
@@ -71,8 +78,8 @@ class Steadier:
             self._mark(mark)
         self._noise = max(quality.noise or LEAST_NOISE, LEAST_NOISE)
         self._sense(world, self._noise)
-        spots = {name: (thing.rest.x, thing.rest.y) for name, thing in self._things.items()}
-        self._absences.update(world.objects, spots, quality)
+        seen = world.objects
+        self._absences.update(seen, {n: thing.rest for n, thing in self._things.items() if n not in seen}, quality)
         self.lag = max(self.lag, self._wanted(quality))
         return before + self._told_by(world.t)
 
@@ -109,60 +116,48 @@ class Steadier:
     def _mark(self, t: float) -> None:
         for person in self._people.values():
             person.way.mark(t)
+        people = self._present(t)
         for thing in self._things.values():
-            by = self._near(thing.hand, t)
-            if by is None and thing.carried <= QUIET:
-                continue  # as at the moment before
-            change = self._expect(thing, t, by)
-            thing.update(t, change, by, None, 1.0, (1.0, 1.0))
+            x, y, _, _ = thing.hand
+            near = nearest(x, y, people)
+            if near is not None or thing.carried > QUIET:  # else it is as at the moment before
+                thing.update(t, near, None, 1.0, (1.0, 1.0))
 
     def _sense(self, world: WorldState, noise: float) -> None:
-        variance = noise * noise
-        for name, agent in world.agents.items():
-            person = self._people.setdefault(name, _Person())
-            person.way.seen(world.t, agent.x, agent.y, variance)
-            person.looks.append((world.t, agent.heading))
-        holder = {agent.holding: name for name, agent in world.agents.items() if agent.holding is not None}
+        t, variance, objects, agents = world.t, noise * noise, world.objects, world.agents
+        for name, agent in agents.items():
+            person = self._people.get(name)
+            if person is None:
+                person = self._people[name] = _Person()
+            person.way.seen(t, agent.x, agent.y, variance)
+            person.looks.append((t, math.sin(agent.heading), math.cos(agent.heading)))
+        holder = {agent.holding: name for name, agent in agents.items() if agent.holding is not None}
+        people, if_carried = self._present(t), told_if_carried(noise)
         self.jumps = []
-        for name in dict.fromkeys((*self._things, *world.objects)):
-            seen, thing = world.objects.get(name), self._things.get(name)
-            if thing is None:
-                assert seen is not None
-                self._things[name] = Handling(world.t, seen, variance, 0.5 if name in holder else 0.02)
+        for name, thing in self._things.items():
+            seen, near = objects.get(name), None
+            if name in holder:
+                near = next(each for each in people if each.name == holder[name])
+            elif people:
+                x, y = (seen.x, seen.y) if seen is not None else thing.hand[:2]
+                near = nearest(x, y, people)
+            if near is None and thing.lies(t, seen, variance):
                 continue
-            by = holder.get(name) or self._near(thing.hand if seen is None else seen, world.t)
-            if by is None and thing.lies(world.t, seen, variance):
-                continue
-            change = self._expect(thing, world.t, by)
-            told = _told_of_hand(noise, by, holder.get(name), seen is not None and by in world.agents)
-            if thing.update(world.t, change, by, seen, variance, told, self._place(by)):
+            is_telling = seen is not None and near is not None and near.name in agents
+            told = told_of_hand(if_carried, name in holder, is_telling)
+            if thing.update(t, near, seen, variance, told):
                 self.jumps.append(name)
+        for name, new in objects.items():
+            if name not in self._things:
+                self._things[name] = Handling(t, new, variance, 0.5 if name in holder else 0.02)
 
-    def _expect(self, thing: Handling, t: float, by: str | None) -> tuple[float, float]:
-        """Time goes by until a moment at which somebody is near; the chances of being taken and put down in it."""
-        dt = t - thing.moments[-1].t
-        gone = (0.0, 0.0)
-        if by is not None:
-            motion = self._people[by].way.last
-            if motion is not None and motion.pace > _walks_from(motion):
-                gone = motion.vx * dt, motion.vy * dt
-        return thing.expect(dt, by, gone)
-
-    def _place(self, name: str | None) -> tuple[float, float] | None:
-        motion = None if name is None else self._people[name].way.last
-        return None if motion is None else (motion.x, motion.y)
-
-    def _near(self, spot: Belief | ObjectState, t: float) -> str | None:
-        """Who may have it in the hand: the nearest within reach."""
-        best, found = REACH, None
-        for name, person in self._people.items():
-            motion = person.way.last
-            if motion is None or t - person.looks[-1][0] > self.bridge:
-                continue
-            gap = math.hypot(motion.x - spot.x, motion.y - spot.y)
-            if gap < best:
-                best, found = gap, name
-        return found
+    def _present(self, t: float) -> list[Near]:
+        """Who was seen not long ago, and where they are."""
+        return [
+            _gone(name, person.way.nodes[-1])
+            for name, person in self._people.items()
+            if t - person.looks[-1][0] <= self.bridge
+        ]
 
     # --- telling ---------------------------------------------------------------------------------------------------
 
@@ -202,7 +197,7 @@ class Steadier:
     def _is_known(self, person: _Person, moment: float) -> bool:
         """Seen not long before, or at both ends of a gap."""
         before, after = -math.inf, math.inf
-        for t, _ in reversed(person.looks):
+        for t, _, _ in reversed(person.looks):
             if t <= moment:
                 before = t
                 break
@@ -223,12 +218,31 @@ class Steadier:
         return person.told.x + dx * share, person.told.y + dy * share
 
 
+def nearest(x: float, y: float, people: Iterable[Near]) -> Near | None:
+    """Who may have something in the hand that is there (metres): the nearest within reach."""
+    best, found = REACH, None
+    for each in people:
+        dx, dy = each.x - x, each.y - y
+        if -best < dx < best and -best < dy < best:
+            gap = math.hypot(dx, dy)
+            if gap < best:
+                best, found = gap, each
+    return found
+
+
+def _gone(name: str, motion: Motion) -> Near:
+    """Where somebody is, and how fast they go if they do."""
+    if motion.pace > _walks_from(motion):
+        return Near(name, motion.x, motion.y, motion.vx, motion.vy)
+    return Near(name, motion.x, motion.y, 0.0, 0.0)
+
+
 def _evidence(share: float, noise: float) -> float:
     """What speaks for it that a hand holds something.
 
     The less the hands are told of, the likelier one that is near something is free, and the more a small share says.
     """
-    usual = min(max(0.5 * _told_if_carried(noise), 0.12), 0.5)
+    usual = min(max(0.5 * told_if_carried(noise), 0.12), 0.5)
     held, free = share / usual, (1.0 - share) / (1.0 - usual)
     return held / (held + free)
 
@@ -252,18 +266,22 @@ def _walks(motion: Motion) -> float:
     return odds / (1.0 + odds)
 
 
-def _told_of_hand(noise: float, by: str | None, holder: str | None, is_telling: bool) -> tuple[float, float]:
+def told_of_hand(if_carried: float, is_held: bool, is_telling: bool) -> tuple[float, float]:
     """How likely what is told of the hands is when a thing rests and when it is carried.
 
-    A hand is told by how near the thing seems to be, so the more noise the less it says.
+    A hand is told by how near the thing seems to be, so the more noise the less it says (`told_if_carried`).
+
+    Args:
+        if_carried: how often what is in a hand is told to be so.
+        is_held: whether somebody is told to hold it.
+        is_telling: whether it is seen, and near somebody who is seen.
     """
-    if_carried, if_near = _told_if_carried(noise), 0.06
-    if holder is not None:
-        return if_near, if_carried
-    return (1 - if_near, 1 - if_carried) if by is not None and is_telling else (1.0, 1.0)
+    if is_held:
+        return IF_NEAR, if_carried
+    return (1 - IF_NEAR, 1 - if_carried) if is_telling else (1.0, 1.0)
 
 
-def _told_if_carried(noise: float) -> float:
+def told_if_carried(noise: float) -> float:
     """How often what is in a hand is told to be so, by how near both seem to be."""
     return max(0.95 * math.exp(-((noise / 0.05) ** 2)), 0.07)
 
@@ -271,9 +289,9 @@ def _told_if_carried(noise: float) -> float:
 def _heading(person: _Person, moment: float) -> float:
     """The mean of the headings around a moment."""
     s = c = 0.0
-    for t, heading in reversed(person.looks):
+    for t, sine, cosine in reversed(person.looks):
         if t < moment - AROUND and (s or c):
             break
         weight = math.exp(-abs(t - moment) / LOOKS)
-        s, c = s + weight * math.sin(heading), c + weight * math.cos(heading)
+        s, c = s + weight * sine, c + weight * cosine
     return math.atan2(s, c)

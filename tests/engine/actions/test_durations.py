@@ -10,6 +10,7 @@ from low_level_kitchen import kitchen_rows, movements, rows_of
 
 from casper.engine.actions.actions import action_recogniser
 from casper.engine.actions.durations import MOST_PHASES, Duration, durations_text, fitted, read_durations
+from casper.engine.actions.misread import logarithms
 from casper.engine.actions.prediction import ActionSettings, Misread
 from casper.engine.movements.movements import Movement
 from casper.kb.errors import DomainError
@@ -139,7 +140,7 @@ def test_the_path_is_the_likeliest_of_all_paths():
     trail, model = recogniser._trail, recogniser._model
     observed = [(1.0, "transport"), (2.0, "walk"), (3.0, "place")]
     for t, name in observed:
-        trail.add(t, name, {m: row[name] for m, row in recogniser._emission.items()})
+        trail.add(t, name, logarithms({m: row[name] for m, row in recogniser._emission.items()}))
     arcs = [dict(row) for row in model.arcs]
     stay = math.exp(-1 / 6.0)
 
@@ -161,6 +162,6 @@ def test_learned_likelihoods_count_instead_of_the_emission():
     recogniser = action_recogniser(ROWS, ActionSettings())
     for t in range(1, 5):
         recogniser.update(Movement(float(t), "still", likelihoods={name: 0.9 if name == "walk" else 0.025 for name in NAMES}))
-    states = [recogniser._model.states[key] for key in recogniser._belief]
-    shares = {name: sum(p for s, p in zip(states, recogniser._belief.values()) if s.movement == name) for name in NAMES}
+    believed = [(recogniser._model.states[key].movement, p) for key, p in recogniser._believed()]
+    shares = {name: sum(p for movement, p in believed if movement == name) for name in NAMES}
     assert max(shares, key=shares.__getitem__) == "walk"

@@ -7,9 +7,11 @@ import random
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from casper.engine.perception.filters.handling import Handling, Near
 from casper.engine.perception.filters.quality import Gauge, Quality
-from casper.engine.perception.filters.steadying import Steadier
-from casper.engine.perception.filters.walking import Way
+from casper.engine.perception.filters.specification import PlainHandling
+from casper.engine.perception.filters.steadying import Steadier, told_of_hand
+from casper.engine.perception.filters.walking import Way, smoothed
 from casper.engine.perception.tracking import Tracker, TrackerSettings
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
 
@@ -195,3 +197,62 @@ def test_a_long_pause_is_not_told_pace_by_pace_and_nothing_before_it_is_lost():
     assert "human" in before[10].agents and "human" in after[-1].agents
     assert after[-1].t >= 1e6 + 9.0
     assert all("plate" in w.objects for w in (*before[5:], *after))
+
+
+SOMETIMES = st.lists(
+    st.tuples(st.booleans(), st.floats(0.0, 1.0), st.floats(-2.0, 2.0), st.floats(-2.0, 2.0)), min_size=1, max_size=12
+)
+
+
+@given(SOMETIMES)
+def test_gains_that_are_kept_smooth_as_those_worked_out_anew(moments):
+    way, t = Way(kept=8), 0.0
+    for is_seen, dt, x, y in moments:
+        t += dt
+        way.seen(t, x, y, 0.01) if is_seen else way.mark(t)
+    for node in way.nodes:
+        found = None
+        for each in reversed(way.nodes):
+            if each.t < node.t:
+                break
+            found = each if found is None else smoothed(each, found)
+        assert way.at(node.t) == found
+
+
+SEEN = st.none() | st.tuples(*[st.floats(-0.5, 0.5)] * 3)
+WHO = st.none() | st.builds(Near, st.sampled_from(("ann", "bob")), *[st.floats(-0.6, 0.6)] * 4)
+MOMENTS = st.lists(st.tuples(SEEN, WHO, st.floats(0.0, 1.0), st.sampled_from((0.02, 0.1))), min_size=1, max_size=25)
+CARRIED = st.sampled_from((0.0001, 0.02, 0.5))
+
+
+def handled(moments, carried, is_flat):
+    """The thing, and the plain one, after the same moments; and their times."""
+    start = ObjectState(0.0, 0.0, None if is_flat else 0.9)
+    thing, plain, times = Handling(0.0, start, 0.0009, carried), PlainHandling(0.0, start, 0.0009, carried), [0.0]
+    for spot, near, later, noise in moments:
+        t = times[-1] + later
+        dt = t - times[-1]
+        seen = None if spot is None else ObjectState(spot[0], spot[1], None if is_flat else 0.9 + spot[2])
+        told = told_of_hand(0.5, False, near is not None and seen is not None)
+        if near is not None or not both(thing.lies(t, seen, noise), plain.lies(t, seen, noise)):
+            by, gone, place = None, (0.0, 0.0), None
+            if near is not None:
+                by, gone, place = near.name, (near.vx * dt, near.vy * dt), (near.x, near.y)
+            jumped = plain.update(t, plain.expect(dt, by, gone), by, seen, noise, told, place)
+            assert thing.update(t, near, seen, noise, told) == jumped
+        times.append(t)
+    return thing, plain, times
+
+
+def both(one, other):
+    assert one == other
+    return one
+
+
+@given(MOMENTS, CARRIED, st.booleans())
+def test_a_handled_thing_is_where_the_plain_filters_have_it(moments, carried, is_flat):
+    thing, plain, times = handled(moments, carried, is_flat)
+    assert (thing.rest, thing.hand, thing.home) == (plain.rest, plain.hand, plain.home)
+    assert thing.carried == plain.carried
+    for t in (-1.0, *times):
+        assert thing.at(t) == plain.at(t)
