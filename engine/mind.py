@@ -243,7 +243,7 @@ class Mind:
             self.course.be_sure(SURE)
         self.doubting.note(self.actions.scores, focus, self.handled.lately(world.t), world, doubt)
         if self.doubting.is_gone(world):
-            found = self.doubting.used_up(world, self.reading.next_actions)
+            found = self.doubting.used_up(world, self.reading.frontiers)
             yield from self._take(self.doubting, found, 1.0, world.t)
 
     def _take(self, doubting: Doubting, found: Judged | None, score: float, t: float) -> Iterator[Event]:
