@@ -12,15 +12,17 @@ from casper.engine.actions.prediction import Prediction
 from casper.engine.perception.about import about_nearby
 from casper.engine.perception.focus import Focus
 from casper.engine.perception.world import Doubt, WorldState
+from casper.engine.reading.reading import Reading
 from casper.engine.reading.stating import Stating
 from casper.engine.verification.doubtful import Judged, judged
+from casper.engine.verification.observation import Seen
 from casper.engine.verification.verification import Statement
 from casper.kb.terms.terms import Compound, Variable
 
 RUNNER_UP = 0.05  # of the winner's score from which another action may have been the one
 SURE = 0.8  # share of all scores from which a goal is believed in, and the robot acts
 WALKS = 0.5  # probability from which somebody is on their way
-EXPECTED = 0.5  # probability of a step from which what is gone says that it was done
+EXPECTED = 1.0 - SURE  # probability of a step to be still to come from which what is gone says that it was done
 
 
 class Doubting:
@@ -70,7 +72,7 @@ class Doubting:
         return self._lay is not None and self._lay[0] not in world.objects
 
     def used_up(self, world: WorldState, frontiers: Mapping[tuple[Compound, ...], float]) -> Judged | None:
-        """The step that uses up what was handled last and is gone, where it is probably still to come.
+        """The step that uses up what was handled last and is gone, where it is not sure that it was seen already.
 
         Steps before it may have gone unseen: what is gone was used up, whatever else was done.
 
@@ -104,3 +106,17 @@ class Doubting:
 def _uses(leaf: Compound, action: str, thing: str) -> bool:
     """Whether a step is that action on a thing, as far as its target is known."""
     return leaf.functor == action and (not leaf.args or leaf.args[0] == thing or isinstance(leaf.args[0], Variable))
+
+
+def keeps_goal(reading: Reading, seen: Seen) -> bool:
+    """Whether the goal that is likeliest stays so with one more action, if any is."""
+    before = _likeliest(reading)
+    reading.observe(seen)
+    after = _likeliest(reading)
+    reading.undo()
+    return before is None or before == after
+
+
+def _likeliest(reading: Reading) -> str | None:
+    goal, share = max(reading.posterior.items(), key=lambda pair: pair[1], default=("", 0.0))
+    return goal if share > 0.0 else None

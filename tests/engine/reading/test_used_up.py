@@ -6,7 +6,8 @@ from casper import Domain
 from casper.engine.mind import Mind
 from casper.engine.perception.focus import Focus
 from casper.engine.perception.world import AgentState, Doubt, ObjectState, WorldState
-from casper.engine.reading.doubting import Doubting
+from casper.engine.reading.doubting import Doubting, keeps_goal
+from casper.engine.verification.observation import Observation
 from casper.kb.terms.terms import Compound
 
 KITCHEN = Domain.load("kitchen")
@@ -52,8 +53,16 @@ def test_where_it_could_not_be_used_up_it_was_not():
     assert used_up("hobs", {(term("eat", "meal", "plate"),): 1.0}) is None
 
 
-@pytest.mark.parametrize("share, concluded", [(0.9, True), (0.3, False)])
-def test_it_must_be_likelier_than_not_that_the_step_is_still_to_come(share, concluded):
+@pytest.mark.parametrize("share, concluded", [(1.0, True), (0.3, True), (0.1, False)])
+def test_nothing_is_concluded_where_it_is_sure_that_it_was_seen_already(share, concluded):
     rest = (term("wash", "plate", "sink"),)
     frontiers = {(term("eat", "meal", "plate"), *rest): share, rest: 1.0 - share}
     assert (used_up("plate", frontiers) is not None) == concluded
+
+
+def test_what_was_used_up_does_not_change_the_goal():
+    reading = KITCHEN.reading()
+    reading.observe({"pick_and_place(biscuits, plate)": 0.7, "pick_and_place(meal, plate)": 0.3})
+    assert keeps_goal(reading, Observation("eat", ("biscuits", "plate")))
+    assert not keeps_goal(reading, Observation("eat", ("meal", "plate")))
+    assert len(reading.observations) == 1
