@@ -33,7 +33,7 @@ from casper.engine.perception.told import focus_event, jumps
 from casper.engine.perception.tracking import Tracker, tracker_settings
 from casper.engine.perception.world import Doubt, WorldState
 from casper.engine.reading.course import Course
-from casper.engine.reading.doubting import SURE, Doubting
+from casper.engine.reading.doubting import SURE, Doubting, keeps_goal
 from casper.engine.reading.reading import Reading
 from casper.engine.reading.segments import Segments
 from casper.engine.reading.stages import movement_event, verdict_event
@@ -58,8 +58,10 @@ class Mind:
         verification: False never asks the knowledge base about an observation; the explainer sees names only.
         policy: when to commit to a goal (`engine.reading.policy`).
         helps: False predicts without planning to help.
-        noise, goals: as for `Domain.reading`: needless actions at a price, several goals at once.
-        stops: an action that fits no plan any more ends it; by default it is reported and left out.
+        noise, goals: as for `Domain.reading`: needless actions at a price, several goals at once. Without a price there
+            are none, until the sensor is found to be poor: then they have the domain's (`Readings.prices`).
+        stops: an action that fits no plan any more ends it; by default it is reported and left out, or, of a poor
+            sensor, weighed as needless.
         partner: who is watched; None: the domain's `partner`.
         history: what was done so far today, which all minds of one world share; None: nothing.
         certainty: how sure a goal must be before the robot acts on it (`engine.collaboration.acting`); None: as the
@@ -110,6 +112,7 @@ class Mind:
         self.verifier = Verifier(domain.kb, self.history, seen) if verification and domain.verifies else None
         self._earlier: Sequence[Done] = ()  # what was done before the last action, as far as rules look back
         self._fresh = partial(domain.reading, **choices, partner=self.partner)
+        self._in_doubt = domain.prices.needless if noise is None and not stops else noise  # price where eyes are poor
         acting, robot = acting_settings(rows, certainty), domain.robot if helps else None
         self.course = Course(self.partner, robot, self._begun, segments, stops=stops, acting=acting)
         asked = Contexts(domain.kb), self.history, lambda: self.known
@@ -251,11 +254,13 @@ class Mind:
         """The tracker is not sure of what it tells: what actions may be about is noted, and what is used up."""
         if self.doubting is None:
             self.doubting = Doubting(self._stating, self._skills, self.domain.kb.rows("consumes", 1))
-            self.course.be_sure(SURE)
+            self._fresh = partial(self._fresh, noise=self._in_doubt)
+            self.course.be_sure(SURE, self._in_doubt)
         self.doubting.note(self.actions.scores, focus, self.handled.lately(world.t), world, doubt)
         if self.doubting.is_gone(world):
-            found = self.doubting.used_up(world, self.reading.next_actions)
-            yield from self._take(self.doubting, found, 1.0, world.t)
+            found = self.doubting.used_up(world, self.reading.frontiers)
+            if found is not None and found.seen is not None and keeps_goal(self.reading, found.seen):
+                yield from self._take(self.doubting, found, 1.0, world.t)
 
     def _take(self, doubting: Doubting, found: Judged | None, score: float, t: float) -> Iterator[Event]:
         """What seems to have happened is passed on to the reading."""

@@ -202,15 +202,21 @@ class HmmRecogniser:
         weights, scores = self._weights, self._scores
         if not weights:
             return dict(scores)
-        total = sum(share * weights.get(a or "", 1.0) for a, share in underway.items())
+        total = self._weight(underway)
         return {a: score * weights.get(a, 1.0) / total for a, score in scores.items()} if total > 0.0 else dict(scores)
+
+    def _weight(self, underway: Mapping[str | None, float]) -> float:
+        return sum(share * self._weights.get(a or "", 1.0) for a, share in underway.items())
 
     def _last_long(self, t: float, underway: Mapping[str | None, float]) -> None:
         """A loop that is surely going on, for as long as it takes, has happened though rounds of it were not made out.
 
-        For those who are not sure of every movement only: of short ones some are missed.
+        For those who are not sure of every movement only: of short ones some are missed. How sure it is depends on what
+        is expected, too.
         """
-        going = next((a for a in self._fsms if underway[a] >= SURE and self._fsms[a].loop), None)
+        sure = SURE * self._weight(underway)
+        loops = (a for a in self._fsms if self._fsms[a].loop)
+        going = next((a for a in loops if underway[a] * self._weights.get(a, 1.0) >= sure), None)
         if going is None or going != self._going[0]:
             self._going = going, t
         elif t - self._going[1] >= ROUNDS * len(self._fsms[going].cycle) * self.settings.lasts:

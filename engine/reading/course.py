@@ -74,11 +74,17 @@ class Course:
         supervisor.sure = self.sure
         return Underway(reading, supervisor)
 
-    def be_sure(self, share: float) -> None:
-        """From now on what is observed is not sure: believe in a goal, and act, from that share on (`Supervisor`)."""
+    def be_sure(self, share: float, noise: float | None = None) -> None:
+        """From now on what is observed is not sure: believe in a goal, and act, from that share on (`Supervisor`).
+
+        ``noise``: what a needless action costs from now on, what was observed until now included; None: as before.
+        """
         self.sure = share
         for supervisor in self.supervisors:
             supervisor.sure = share
+        for episode in (self.current, *self.helped, *(other for other, _ in self.aside)):
+            if noise is not None and episode.reading.options.noise is None:
+                episode.read_anew(episode.reading.reread(noise), episode.numbers)
 
     @property
     def supervisors(self) -> tuple[Supervisor, ...]:

@@ -12,14 +12,17 @@ from casper.engine.actions.prediction import Prediction
 from casper.engine.perception.about import about_nearby
 from casper.engine.perception.focus import Focus
 from casper.engine.perception.world import Doubt, WorldState
+from casper.engine.reading.reading import Reading
 from casper.engine.reading.stating import Stating
 from casper.engine.verification.doubtful import Judged, judged
+from casper.engine.verification.observation import Seen
 from casper.engine.verification.verification import Statement
+from casper.kb.terms.terms import Compound, Variable
 
 RUNNER_UP = 0.05  # of the winner's score from which another action may have been the one
 SURE = 0.8  # share of all scores from which a goal is believed in, and the robot acts
 WALKS = 0.5  # probability from which somebody is on their way
-EXPECTED = 0.5  # probability of a step from which what is gone says that it was done
+EXPECTED = 1.0 - SURE  # probability of a step to be still to come from which what is gone says that it was done
 
 
 class Doubting:
@@ -68,22 +71,25 @@ class Doubting:
         """Whether what was handled last is there no more."""
         return self._lay is not None and self._lay[0] not in world.objects
 
-    def used_up(self, world: WorldState, coming: Mapping[str | None, float]) -> Judged | None:
-        """The step that uses up what was handled last and is gone, where it is the one that is expected.
+    def used_up(self, world: WorldState, frontiers: Mapping[tuple[Compound, ...], float]) -> Judged | None:
+        """The step that uses up what was handled last and is gone, where it is not sure that it was seen already.
+
+        Steps before it may have gone unseen: what is gone was used up, whatever else was done.
 
         Args:
             world: the moment.
-            coming: the probability of each step to be the next.
+            frontiers: the probability of all that is yet to be done (`Reading.frontiers`).
         """
         if self._lay is None:
             return None
         thing, here = self._lay
         self._lay = None
         for action in self.consuming:
-            share = sum(p for step, p in coming.items() if step is not None and step.split("(", 1)[0] == action)
+            share = sum(p for leaves, p in frontiers.items() if any(_uses(leaf, action, thing) for leaf in leaves))
             if share > EXPECTED:
                 there = {spot: p for spot, p in here.items() if spot[0] == thing}
-                stated = self._stated(world.t, self.skills.get(action, action), there)
+                found = self._stated(world.t, self.skills.get(action, action), there)
+                stated = {statement: p for statement, p in found.items() if statement.action == action}
                 return judged(stated, self.stating.verifier, self.stating.actions) if stated else None
         return None
 
@@ -95,3 +101,22 @@ class Doubting:
                 statement = Statement(t, self.stating.partner, meant, target, place)
                 stated[statement] = stated.get(statement, 0.0) + share
         return stated
+
+
+def _uses(leaf: Compound, action: str, thing: str) -> bool:
+    """Whether a step is that action on a thing, as far as its target is known."""
+    return leaf.functor == action and (not leaf.args or leaf.args[0] == thing or isinstance(leaf.args[0], Variable))
+
+
+def keeps_goal(reading: Reading, seen: Seen) -> bool:
+    """Whether the goal that is likeliest stays so with one more action, if any is."""
+    before = _likeliest(reading)
+    reading.observe(seen)
+    after = _likeliest(reading)
+    reading.undo()
+    return before is None or before == after
+
+
+def _likeliest(reading: Reading) -> str | None:
+    goal, share = max(reading.posterior.items(), key=lambda pair: pair[1], default=("", 0.0))
+    return goal if share > 0.0 else None

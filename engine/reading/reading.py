@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from itertools import islice
 from typing import Any
@@ -143,6 +144,16 @@ class Reading(Shown):
             self.observations,
             self.words,
         )
+
+    def reread(self, noise: float) -> Reading:
+        """The same, read anew with a price on needless and misread actions (`Options.noise`).
+
+        Raises:
+            CasperError: a price that is none.
+        """
+        make, parts = self.__reduce__()
+        read: Reading = make(*(replace(part, noise=noise) if isinstance(part, Options) else part for part in parts))
+        return read
 
     def undo(self) -> None:
         """Take back the last observation.

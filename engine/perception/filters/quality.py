@@ -1,13 +1,15 @@
 """How good a sensor is, estimated from what it says: noise of positions, share of lost detections, pace.
 
 Things that rest are the gauge: two detections one after the other differ by the noise alone, and of three in a row the
-middle one is missing only where it was lost. Medians are taken, so that the few things which move do not count.
+middle one is missing only where it was lost. Medians are taken, so that the few things which move do not count. Who is
+watched is in view all the time, so the middle one of their detections says as much; who was never missing is taken to
+be the one that looks, and says nothing.
 """
 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from statistics import median
 
@@ -43,6 +45,8 @@ class Gauge:
         self._gaps: deque[bool] = deque(maxlen=KEPT)
         self._before: Mapping[str, ObjectState] = {}
         self._earlier: Mapping[str, ObjectState] = {}
+        self._people: tuple[Collection[str], Collection[str]] = ((), ())  # in view two world states ago, and one
+        self._missed: set[str] = set()  # of them, who were lost at least once
         self._count = 0
         self.quality = Quality()
 
@@ -59,11 +63,22 @@ class Gauge:
             if name in self._earlier:
                 self._gaps.append(was is None)
         self._earlier, self._before = before, now
+        self._look_for(world.agents)
         self._count += 1
         if len(self._squares) == KEPT and self._count % OFTEN:
             return self.quality
         self.quality = Quality(self._noise(), sum(self._gaps) / (len(self._gaps) + PRIOR), self._period())
         return self.quality
+
+    def _look_for(self, now: Collection[str]) -> None:
+        earlier, before = self._people
+        for name in now:
+            if name in earlier:
+                if name not in before:
+                    self._missed.add(name)
+                if name in self._missed:
+                    self._gaps.append(name not in before)
+        self._people = before, now
 
     def _noise(self) -> float | None:
         return (median(self._squares) / MEDIAN_OF_SQUARES) ** 0.5 if len(self._squares) >= LEAST else None

@@ -81,3 +81,23 @@ def scores_after(movements, kept):
 def test_what_was_done_stays_done_where_no_step_is_sure():
     movements = ["move"] * 6 + ["put"] * 3 + ["rest"] * 6
     assert scores_after(movements, frozenset({"carry"})) > 0.6 > scores_after(movements, frozenset())
+
+
+STIR = Fsm("stir", {"take": {"put": 1.0}, "put": {"take": 1.0}, "rest": {"take": 1.0}}, ("take", "put") * 2, loop=True)
+REST = Fsm("relax", {"rest": {"take": 1.0}, "take": {"rest": 1.0}, "put": {"rest": 1.0}}, ("rest", "take"))
+
+
+def steps_until_stirred(weights, most=400):
+    """Half seconds of a hand at work, taking or putting being all alike, until ``stir`` has happened."""
+    even = {true: {seen: 0.8 if seen == true else 0.1 for seen in STIR.rows} for true in STIR.rows}
+    recogniser = HmmRecogniser(ActionSettings(lasts=4.0), (STIR, REST), even, planned=frozenset({"stir"}))
+    recogniser.expect(weights)
+    for step in range(most):
+        shares = {"take": 0.48, "put": 0.48, "rest": 0.04}
+        if recogniser.update(Movement(step * 0.5, "take", shares=shares)) is not None:
+            return step
+    return most
+
+
+def test_what_is_expected_and_goes_on_for_long_is_known_to_have_happened_sooner():
+    assert steps_until_stirred({"stir": 1.8, "relax": 0.2}) < steps_until_stirred({}) <= steps_until_stirred({"stir": 0.2, "relax": 1.8})

@@ -4,6 +4,7 @@ import itertools
 import math
 import random
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -58,6 +59,14 @@ def test_the_noise_of_things_at_rest_is_estimated():
     for world in resting(0.05):
         gauge.update(world)
     assert abs(gauge.quality.noise - 0.05) < 0.01
+
+
+@pytest.mark.parametrize("present, poor", [([True] * 30, False), ([True, False, True] * 10, True)])
+def test_who_is_watched_and_goes_missing_again_and_again_shows_that_detections_are_lost(present, poor):
+    gauge, robot, ann = Gauge(), AgentState(0.0, 3.0, 0.0), AgentState(1.0, 1.0, 0.0)
+    for t, is_seen in enumerate(present, 1):
+        gauge.update(WorldState(0.5 * t, {"bot": robot} | ({"ann": ann} if is_seen else {}), {}))
+    assert (gauge.quality.lost > TrackerSettings().steady_lost) == poor
 
 
 def test_the_share_of_lost_detections_is_estimated_and_never_too_high_at_first():
