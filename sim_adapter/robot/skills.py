@@ -225,10 +225,9 @@ class RobotSkills:
         self, name: str, at: Callable[[], Point], stale: Callable[[], bool] = never
     ) -> Generator[None, None, bool]:
         """Drive to where an object at that point can be handled, and face the point; False when that became stale."""
-        since = self.physics.time
         if not any(abs(math.dist(self.base.place, at()) - ring) < 0.02 for ring in self._rings):
             yield from self._fold(name)
-            if not (yield from self.base.go(lambda others: self._standing(name, at(), others, since), stale)):
+            if not (yield from self.base.go(lambda others: self._standing(name, at(), others), stale)):
                 return False
         yield from self.base.face(at())
         self._stood = math.dist(self.base.place, at())
@@ -249,20 +248,32 @@ class RobotSkills:
         held = self.holding
         yield from self.hand.back_off(name) if held is None else self.hand.take_up(held)
 
-    def _standing(self, name: str, at: Point, people: Sequence[Disc], since: float) -> list[Point]:
-        """Where to stand for an object: so that no other one is between, or after a while of waiting anywhere."""
-        ways, rings = self.base.navigator, self._rings
-        others = [
-            (self._at(other), self.scene.thing(other).radius + BESIDE)
-            for other in self.scene.movables
-            if other not in (name, self.holding) and math.dist(self._at(other), at) > 0.05
-        ]
-        points = square_on(self.scene, at, ways.standing_points(at, rings))
-        clear = [p for p in points if all(point_to_segment(o, (p, at)) > gap for o, gap in others)]
-        if clear and self.physics.time - since < WAIT_FOR_SPACE:
+    def _standing(self, name: str, at: Point, people: Sequence[Disc]) -> list[Point]:
+        """Where to stand for an object: so that no other one is between, after a while of waiting as little as can be."""
+        ways, beside = self.base.navigator, self._beside(name, at)
+        clear = next((points for ring in self._rings if (points := self._clear(at, ring, beside))), [])
+        if clear and self.base.held_up < WAIT_FOR_SPACE:
             return [point for point in clear if ways.free(point, people)]
-        return ways.standing_points(at, rings, people)
+        points = ways.standing_points(at, self._rings, people)
+        most = max((_room(point, at, beside) for point in points), default=0.0)
+        return [point for point in points if _room(point, at, beside) >= most - 0.02]
+
+    def _clear(self, at: Point, ring: float, beside: Sequence[Disc]) -> list[Point]:
+        """Standing places at that distance from which nothing is in the arm's way."""
+        points = square_on(self.scene, at, self.base.navigator.standing_points(at, (ring,)))
+        return [point for point in points if _room(point, at, beside) > BESIDE]
+
+    def _beside(self, name: str, at: Point) -> list[Disc]:
+        """The other objects round it."""
+        others = (other for other in self.scene.movables if other not in (name, self.holding))
+        discs = [Disc(*self._at(other), self.scene.thing(other).radius) for other in others]
+        return [disc for disc in discs if math.dist((disc.x, disc.y), at) > 0.05]
 
     def _at(self, name: str) -> Point:
         x, y, _ = self.physics.position(name)
         return x, y
+
+
+def _room(point: Point, at: Point, beside: Sequence[Disc]) -> float:
+    """How far the nearest of some objects is from the straight way between two points."""
+    return min((point_to_segment((disc.x, disc.y), (point, at)) - disc.radius for disc in beside), default=math.inf)

@@ -34,6 +34,14 @@ def test_the_goal_is_read_before_the_partners_last_action_and_the_robots_part_is
     assert told["robot"]["actions"][-1].startswith("wash(")
 
 
+@pytest.mark.parametrize("seed", [0, 5])
+def test_nothing_that_stands_beside_what_the_robot_takes_is_knocked_over(seed: int) -> None:
+    trial = Trial(Domain.load("kitchen"), TrialSettings("drink", seed))
+    list(trial.events())
+    standing = trial.simulation.physics.position("glass")[2]
+    assert trial.simulation.physics.position("bottle")[2] > standing
+
+
 @pytest.mark.parametrize("goal", GOALS)
 def test_verification_makes_the_prediction_no_later_on_average(goal: str) -> None:
     verified = [summary(goal, seed)["prediction_time"] for seed in (0, 1)]

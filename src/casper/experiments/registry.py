@@ -15,11 +15,11 @@ from casper.experiments.paper.trees import PLANS, SCORE_EXAMPLE
 from casper.experiments.paper.verification import VERIFICATION
 from casper.experiments.studies.certainty import CERTAINTY
 from casper.experiments.studies.many import MANY
-from casper.experiments.studies.study import CROSSED, STUDY
+from casper.experiments.studies.study import CROSSED, PARTNERS, STUDY
 from casper.kb.errors import CasperError
 
 KITCHEN = (SCORE_EXAMPLE, PLANS, GOALS, RESPONSES, MOVEMENTS, FOCUS_OF_LUNCH, RESULTS, VERIFICATION)
-STUDIES = (MANY, STUDY, CROSSED, CERTAINTY)
+STUDIES = (MANY, PARTNERS, STUDY, CROSSED, CERTAINTY)
 EXPERIMENTS = {experiment.name: experiment for experiment in (*KITCHEN, *STUDIES)}
 SETS = {"kitchen": KITCHEN}
 """``kitchen`` is everything that the paper shows."""

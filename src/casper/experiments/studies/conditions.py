@@ -77,6 +77,12 @@ def usual(factor: str) -> str:
     return next(iter(FACTORS[factor]))
 
 
+def partners() -> Iterator[Condition]:
+    """The kitchen as it is, with each way to behave."""
+    base = {factor: usual(factor) for factor in FACTORS}
+    yield from (Condition({**base, "partner": name}) for name in FACTORS["partner"])
+
+
 def one_at_a_time() -> Iterator[Condition]:
     """How the kitchen is, every other level of each factor beside that, and mixed partners without verification."""
     base = {factor: usual(factor) for factor in FACTORS}

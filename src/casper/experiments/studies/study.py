@@ -8,10 +8,10 @@ from typing import Any
 from casper.experiments.experiment import Asked, Data, Experiment, Ran, Row, Trial, table
 from casper.experiments.figures.study import study_figure
 from casper.experiments.statistics import mean_interval
-from casper.experiments.studies.conditions import FACTORS, Condition, crossed, one_at_a_time
+from casper.experiments.studies.conditions import FACTORS, Condition, crossed, one_at_a_time, partners
 from casper.experiments.trials import counted, flat
 
-TRIALS = 30
+TRIALS, MANY = 30, 100
 HEADER = (
     "condition",
     "trials",
@@ -27,27 +27,29 @@ HEADER = (
 )
 
 
-def _experiment(name: str, shows: str, conditions: Callable[[], Iterable[Condition]]) -> Experiment:
+def _experiment(
+    name: str, shows: str, conditions: Callable[[], Iterable[Condition]], number: int = TRIALS
+) -> Experiment:
     def trials(asked: Asked) -> list[Trial]:
-        return [trial for condition in conditions() for part in _both(asked, condition) for trial in part]
+        return [trial for condition in conditions() for part in _both(asked, condition, number) for trial in part]
 
     def work(asked: Asked, ran: Ran) -> Data:
         found = ran(trials(asked))
         rows: list[Row] = []
         for condition in conditions():
-            helped, alone = (_take(found, len(part)) for part in _both(asked, condition))
+            helped, alone = (_take(found, len(part)) for part in _both(asked, condition, number))
             rows += [_row(condition, one, other) for one, other in zip(helped, alone)]
         summary = [_summary(condition, rows) for condition in conditions()]
-        about = {"trials a condition": asked.count(TRIALS), "first seed": asked.seed, "conditions": len(summary)}
+        about = {"trials a condition": asked.count(number), "first seed": asked.seed, "conditions": len(summary)}
         factors = {factor: list(levels) for factor, levels in FACTORS.items()}
         return Data(name, about, summary, rows, {"factors": factors})
 
     return Experiment(name, shows, "", work, says, {name: study_figure}, trials)
 
 
-def _both(asked: Asked, condition: Condition) -> tuple[list[Trial], list[Trial]]:
+def _both(asked: Asked, condition: Condition, number: int) -> tuple[list[Trial], list[Trial]]:
     """The trials of a condition, and of the same partner without a robot."""
-    return condition.trials(asked, TRIALS), condition.alone.trials(asked, TRIALS, robot=False)
+    return condition.trials(asked, number), condition.alone.trials(asked, number, robot=False)
 
 
 def _take(found: list[dict[str, Any]], count: int) -> list[dict[str, Any]]:
@@ -92,5 +94,6 @@ def _cells(row: Row) -> tuple[Any, ...]:
     return (row["condition"], n, shares[0], known, *shares[1:], *wrong, row["least distance"], saved, row["broken off"])
 
 
+PARTNERS = _experiment("partners", "partners who behave like people, one way at a time", partners, MANY)
 STUDY = _experiment("study", "robustness, one factor at a time", one_at_a_time)
 CROSSED = _experiment("crossed", "robustness, every factor with every other", crossed)
