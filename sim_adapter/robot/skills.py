@@ -249,7 +249,7 @@ class RobotSkills:
         yield from self.hand.back_off(name) if held is None else self.hand.take_up(held)
 
     def _standing(self, name: str, at: Point, people: Sequence[Disc]) -> list[Point]:
-        """Where to stand for an object: so that no other one is between, after a while of waiting as little as can be."""
+        """Where to stand for an object: so that nothing is between, after a while of waiting as little as can be."""
         ways, beside = self.base.navigator, self._beside(name, at)
         clear = next((points for ring in self._rings if (points := self._clear(at, ring, beside))), [])
         if clear and self.base.held_up < WAIT_FOR_SPACE:
