@@ -33,7 +33,7 @@ from casper.engine.perception.told import focus_event, jumps
 from casper.engine.perception.tracking import Tracker, tracker_settings
 from casper.engine.perception.world import Doubt, WorldState
 from casper.engine.reading.course import Course
-from casper.engine.reading.doubting import SURE, Doubting, keeps_goal
+from casper.engine.reading.doubting import Doubting, keeps_goal
 from casper.engine.reading.reading import Reading
 from casper.engine.reading.segments import Segments
 from casper.engine.reading.stages import movement_event, verdict_event
@@ -255,7 +255,7 @@ class Mind:
         if self.doubting is None:
             self.doubting = Doubting(self._stating, self._skills, self.domain.kb.rows("consumes", 1))
             self._fresh = partial(self._fresh, noise=self._in_doubt)
-            self.course.be_sure(SURE, self._in_doubt)
+            self.course.doubt(self._in_doubt)
         self.doubting.note(self.actions.scores, focus, self.handled.lately(world.t), world, doubt)
         if self.doubting.is_gone(world):
             found = self.doubting.used_up(world, self.reading.frontiers)

@@ -11,6 +11,10 @@ goal is 0.73 sure with one unseen before it, 0.45 with two, 0.47 where another g
 
 Below the knob nothing is announced, and nothing is done. By default a goal must be as likely as not; at 0 the robot
 acts on whatever the policy commits to, as in the paper.
+
+Where the sensor is poor many explanations are left, and the policy would hardly ever commit. Then a goal is believed in
+from a share of them on, and the robot's turn has come from the same: the knob, but 0.8 at least. A share is not how
+sure a goal is: it says which of the explanations, not whether there was anything to explain, so both are asked.
 """
 
 from __future__ import annotations
@@ -23,6 +27,7 @@ from casper.engine.settings import Rows, read_settings, require
 
 NEEDLESS = 0.1  # how probable it is that an action serves no goal, or another than it seems to
 UNSEEN = 0.3  # how probable it is that an action goes unseen
+DOUBTFUL = 0.8  # share of all explanations which it takes where the sensor is poor, at least
 CHANGED = 0.1  # how probable it is that somebody who seems to have given up a goal has done so
 
 
@@ -38,6 +43,11 @@ class ActingSettings:
     def __post_init__(self) -> None:
         sentence = f"the certainty from which the robot acts lies between 0 and 1, not {self.certainty:g}"
         require(0.0 <= self.certainty <= 1.0, sentence)
+
+    @property
+    def share(self) -> float:
+        """The share of all explanations from which something is believed where the sensor is poor."""
+        return max(self.certainty, DOUBTFUL)
 
 
 def acting_settings(rows: Rows, certainty: float | None = None) -> ActingSettings:

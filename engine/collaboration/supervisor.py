@@ -75,8 +75,8 @@ class Supervisor:
     """Turns a reading's outcome into a plan and keeps the plan in step with what the partner does.
 
     ``robot`` None watches only: goals are predicted, nothing is planned. ``acting`` says how sure a goal must be before
-    anything is announced. ``sure``, where it is set, is the share of all scores from which a goal is believed in, and
-    from which the robot's turn has come; else the reading's policy decides.
+    anything is announced. ``doubts``: the sensor is poor, and shares of all explanations decide which goal is believed
+    in, and whether the robot's turn has come; else the reading's policy does.
     """
 
     def __init__(self, reading: Reads, robot: str | None, acting: ActingSettings = LIKELY) -> None:
@@ -87,7 +87,7 @@ class Supervisor:
         self.done: list[Compound] = []  # of what was announced, by the robot
         self.given_up: set[Compound] = set()  # what the robot could not do, and announces no more
         self.is_withdrawn = False  # what was announced last was taken back
-        self.sure: float | None = None
+        self.doubts = False
         self.is_instead = False  # another goal that was believed in must have been given up for this one
         self._made: CollaborativePlan | None = None  # the last one that was announced
         self._said = ""  # the last sentence about what the robot does now
@@ -148,25 +148,25 @@ class Supervisor:
         if explanation is None:
             return 0.0
         used = (seen for at, seen in enumerate(self.reading.observations) if at not in explanation.needless)
-        unseen = explanation.missed if self.sure is None else 0
+        unseen = 0 if self.doubts else explanation.missed
         posterior = self.reading.posterior.get(goal, explanation.share)
         return sureness(posterior, map(certainty_of, used), unseen, self.is_instead)
 
     @property
     def _outcome(self) -> str | None:
-        if self.sure is None:
+        if not self.doubts:
             return self.reading.outcome
         goal, share = max(self.reading.posterior.items(), key=lambda pair: pair[1], default=("", 0.0))
-        return goal if share >= self.sure else None
+        return goal if share >= self.acting.share else None
 
     def _is_due(self, plan: CollaborativePlan) -> bool:
         """Where it has nothing to wait for: whether that is sure enough, and whether its part is probably needed."""
-        if self.sure is None or plan.waiting or self.robot is None:
+        if not self.doubts or plan.waiting or self.robot is None:
             return True
         parts = [(part, share) for part, share in self.reading.plans_for(self.robot).items() if part.goal == plan.goal]
         due = sum(share for part, share in parts if not part.waiting)
         needed = sum(share for part, share in parts if set(plan.actions) <= set(part.actions))
-        return due >= self.sure and needed >= NEEDED
+        return due >= self.acting.share and needed >= NEEDED
 
     def withdraw(self, t: float, because: str) -> Iterator[Event]:
         """Give up what was announced and is not done yet; yields ``withdrawn`` where there is such a thing."""

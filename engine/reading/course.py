@@ -61,7 +61,7 @@ class Course:
         self.acting = acting
         self._fresh = fresh
         self.segments: Segments = BySight(fresh) if segments is None else segments(partner, fresh)
-        self.sure: float | None = None
+        self.doubts = False
         self.current = self._opened()
         self.helped: list[Underway] = []  # open beside: only the robot's part is left, or the partner came back to it
         self.aside: deque[tuple[Underway, dict[str, Any]]] = deque(maxlen=MOST_ASIDE)  # given up, it seems; their rows
@@ -71,17 +71,17 @@ class Course:
     def _opened(self) -> Underway:
         reading = self._fresh()
         supervisor = Supervisor(reading, self.robot, self.acting)
-        supervisor.sure = self.sure
+        supervisor.doubts = self.doubts
         return Underway(reading, supervisor)
 
-    def be_sure(self, share: float, noise: float | None = None) -> None:
-        """From now on what is observed is not sure: believe in a goal, and act, from that share on (`Supervisor`).
+    def doubt(self, noise: float | None = None) -> None:
+        """From now on what is observed is not sure: shares decide what is believed (`Supervisor.doubts`).
 
         ``noise``: what a needless action costs from now on, what was observed until now included; None: as before.
         """
-        self.sure = share
+        self.doubts = True
         for supervisor in self.supervisors:
-            supervisor.sure = share
+            supervisor.doubts = True
         for episode in (self.current, *self.helped, *(other for other, _ in self.aside)):
             if noise is not None and episode.reading.options.noise is None:
                 episode.read_anew(episode.reading.reread(noise), episode.numbers)

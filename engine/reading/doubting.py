@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping
 
 from casper.engine.actions.happening import Happening, Spot
 from casper.engine.actions.prediction import Prediction
+from casper.engine.collaboration.acting import DOUBTFUL
 from casper.engine.perception.about import about_nearby
 from casper.engine.perception.focus import Focus
 from casper.engine.perception.world import Doubt, WorldState
@@ -20,9 +21,8 @@ from casper.engine.verification.verification import Statement
 from casper.kb.terms.terms import Compound, Variable
 
 RUNNER_UP = 0.05  # of the winner's score from which another action may have been the one
-SURE = 0.8  # share of all scores from which a goal is believed in, and the robot acts
 WALKS = 0.5  # probability from which somebody is on their way
-EXPECTED = 1.0 - SURE  # probability of a step to be still to come from which what is gone says that it was done
+EXPECTED = 1.0 - DOUBTFUL  # probability of a step to be still to come from which what is gone says that it was done
 
 
 class Doubting:

@@ -4,7 +4,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from casper.engine.collaboration.acting import CHANGED, NEEDLESS, UNSEEN, ActingSettings, acting_settings, sureness
+from casper.engine.collaboration.acting import (
+    CHANGED,
+    DOUBTFUL,
+    NEEDLESS,
+    UNSEEN,
+    ActingSettings,
+    acting_settings,
+    sureness,
+)
 from casper.engine.collaboration.supervisor import Supervisor
 from casper.engine.domain.altering import altered
 from casper.engine.domain.domain import Domain
@@ -119,7 +127,7 @@ def test_a_misspelt_knob_is_told_with_the_nearest():
 
 def test_the_robot_waits_while_it_is_not_sure_that_its_turn_has_come():
     supervisor = Supervisor(KITCHEN.reading(), "tiago")
-    supervisor.sure = 0.8
+    supervisor.doubts = True
     carried, eaten = "pick_and_place(biscuits, plate)", "eat(biscuits, plate)"
     for t, seen in enumerate([{carried: 0.6, eaten: 0.4}, {carried: 0.5, eaten: 0.5}]):
         supervisor.reading.observe(seen)
@@ -130,10 +138,18 @@ def test_the_robot_waits_while_it_is_not_sure_that_its_turn_has_come():
     assert supervisor.ready
 
 
-@pytest.mark.parametrize(("share", "told"), [(0.95, ["breakfast"]), (0.6, [])])
-def test_a_goal_that_is_not_sure_is_not_announced(share, told):
-    supervisor = Supervisor(KITCHEN.reading(), "tiago")
-    supervisor.sure = 0.8
+@pytest.mark.parametrize(
+    ("certainty", "share", "told"),
+    [(0.5, 0.95, ["breakfast"]), (0.5, 0.6, []), (0.0, 0.6, []), (0.75, 0.95, ["breakfast"]), (0.9, 0.85, [])],
+)
+def test_of_a_poor_sensor_a_goal_is_announced_from_the_knobs_share_on_and_four_of_five_at_least(certainty, share, told):
+    supervisor = Supervisor(KITCHEN.reading(), "tiago", ActingSettings(certainty))
+    supervisor.doubts = True
     supervisor.reading.observe({"pick_and_place(biscuits, plate)": share, "pick_and_place(bottle, glass)": 1 - share})
     events = list(supervisor.update(0.0))
     assert [event.data["goal"] for event in events if event.type == "prediction"] == told
+
+
+@given(P)
+def test_the_robots_turn_is_asked_to_be_as_sure_as_a_goal(certainty):
+    assert ActingSettings(certainty).share == max(certainty, DOUBTFUL)
