@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, field
 
 from casper.engine.actions.contexts import Contexts
@@ -39,8 +39,8 @@ class Stating:
         the first where it is valid, or at the first.
 
         What is in one place with that comes into question, too. Of two things in one place either may be what is
-        handled: where one way round means nothing, the other is taken. What means something at a place only is done
-        where one can reach.
+        handled: where one way round means nothing, or nothing that is valid, the other is taken. What means something
+        at a place only is done where one can reach.
         """
         self.doubt = ""
         places = [*about.places, *beside(world, about)]
@@ -48,15 +48,19 @@ class Stating:
         if self.contexts.mentions(prediction.action):
             there = [pair for pair in there if any(is_in_reach(world, self.partner, name) for name in pair)]
         turned = [(place, target) for target, place in there if place and are_together(world, target, place)]
-        stated: list[Statement] = []
-        for target, place in there + turned:
-            action = self.meaning(prediction.action, place)
-            if action is not None and ((target, place) in there or not stated):
-                stated.append(Statement(prediction.t, self.partner, action, target, place))
-        if len(stated) > 1 and self.verifier is not None:
-            valid = [s for s in stated if self.verifier.judge(s).valid] or stated[:1]
-            return next((s for s in valid if len(valid) > 1 and self._is_of_a_plan(s)), valid[0])
-        return stated[0] if stated else None
+        stated = self._statements(prediction, there) or self._statements(prediction, turned)
+        if self.verifier is None or len(stated) + len(turned) < 2:
+            return stated[0] if stated else None
+        valid = self._valid(stated) or self._valid(self._statements(prediction, turned)) or stated[:1]
+        return next((s for s in valid if len(valid) > 1 and self._is_of_a_plan(s)), valid[0]) if valid else None
+
+    def _statements(self, prediction: Prediction, pairs: Iterable[tuple[str | None, str | None]]) -> list[Statement]:
+        """What the action means with each target and place, where it means something."""
+        meant = [(self.meaning(prediction.action, place), target, place) for target, place in pairs]
+        return [Statement(prediction.t, self.partner, action, *about) for action, *about in meant if action is not None]
+
+    def _valid(self, stated: Iterable[Statement]) -> list[Statement]:
+        return [] if self.verifier is None else [s for s in stated if self.verifier.judge(s).valid]
 
     def _is_of_a_plan(self, statement: Statement) -> bool:
         """Whether some plan has the very action."""

@@ -52,7 +52,7 @@ class RobotSkills:
     def run(self, step: Step) -> Ticks:
         """A step of one of the skills."""
         target, destination = str(step.target), str(step.destination)
-        self.found, self._too_far = False, math.inf
+        self.found, self._too_far, self.base.waits = False, math.inf, False
         skills = {"pick_and_place": self._pick_and_place, "use": self._use}
         return skills[step.skill](target, destination)
 
@@ -116,19 +116,20 @@ class RobotSkills:
         raise StepFailed(f"{target} was moved away again and again")
 
     def _took(self, target: str, place: str) -> Generator[None, None, bool]:
-        """Drive to a place and grasp an object there; False where it is not there any more."""
+        """Drive to a place and grasp an object there; False as soon as it is not there any more."""
         at = self.physics.position(target)
         if not (yield from self._approach(place, {target: at, place: self.physics.position(place)})):
             return False
         yield from self._until_clear(target)
         if self._is_elsewhere(target, at):
             return False
-        yield from self._grasp(target)
-        return True
-
-    def _grasp(self, target: str) -> Ticks:
         self._taken_from = self.physics.position(target)
-        yield from self.hand.grasp(target)
+        for _ in self.hand.grasp(target):
+            if self._is_elsewhere(target, at):
+                yield from self.hand.back_off(target)
+                return False
+            yield
+        return True
 
     def _is_elsewhere(self, name: str, at: Spot) -> bool:
         """Whether an object is no longer where it was, or in another hand, or gone."""
@@ -142,7 +143,9 @@ class RobotSkills:
         while self.physics.holder(name) not in (None, self.name):
             if self.physics.time - since > self.settings.patience:
                 raise StepFailed(f"{self.physics.holder(name)} keeps holding {name}")
+            self.base.waits = True
             yield
+            self.base.waits = False
             yield from self.base.step_aside()
         if name in self.physics.removed:
             raise StepFailed(f"{name} is no longer there")
@@ -179,7 +182,7 @@ class RobotSkills:
 
     def end(self, step: Step) -> Ticks:
         """End a step safely: fold the empty arm, or bring what is held back to where it was taken from."""
-        target, spot = str(step.target), self._taken_from
+        target, spot, self.base.waits = str(step.target), self._taken_from, False
         yield from self.base.stop()
         yield from self.base.halt(0.3)
         if self.holding is None or spot is None:
