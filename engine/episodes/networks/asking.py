@@ -9,7 +9,16 @@ from __future__ import annotations
 from collections.abc import Collection, Hashable, Iterable, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from casper.engine.episodes.networks.items.terms import Env, Slot, numbered, outward, resolve, slots_of, unified
+from casper.engine.episodes.networks.items.terms import (
+    Env,
+    Slot,
+    key_of,
+    numbered,
+    outward,
+    resolved,
+    slots_in,
+    unified,
+)
 from casper.engine.episodes.past import Past, with_statement
 from casper.engine.verification.conditions import Conditions
 from casper.engine.verification.history import Done, in_order
@@ -19,6 +28,8 @@ from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound
 
 MOST_REMEMBERED = 100_000
+MOST_JOINED = 10_000  # conditions asked together, under whatever names
+NOTHING: Env = {}
 MOST_MOMENTS = 200  # observations after each of which it is known what had happened
 Asked: TypeAlias = "tuple[int, Any]"  # the moment when it was due (0: it makes no difference), and the relation
 
@@ -134,13 +145,15 @@ class Asking:
             return env, ()
         while waiting:
             still: list[Asked] = []
+            known: list[Asked] = []  # the same, bound as far as is known
             before = env
             for moment, relation in waiting:
-                bound = resolve(relation, env)
+                bound = resolved(relation, env)
                 is_open = self._plain.get((moment, bound))
                 if is_open is not None:
                     if is_open:
                         still.append((moment, relation))
+                        known.append((moment, bound))
                     continue
                 closed = numbered(bound, {}, {})
                 answer = self._answer(moment, closed, doing)
@@ -148,6 +161,7 @@ class Asking:
                     self._plain[moment, bound] = answer is None
                 if answer is None:
                     still.append((moment, relation))
+                    known.append((moment, bound))
                 elif isinstance(answer, Refusal):
                     return Failed(answer.reasons)
                 elif answer is not closed:
@@ -157,12 +171,12 @@ class Asking:
                     env = extended
             waiting = still
             if env is before and waiting:
-                together = self._together(waiting, env)
+                together = self._together(tuple(known))
                 if isinstance(together, Failed):
                     return together
-                if together is env:
+                if not together:
                     break
-                env = together
+                env = {**env, **together}
         return env, tuple(dict.fromkeys(waiting))
 
     def needed(self, waiting: Sequence[Asked], env: Env, used: Collection[Slot]) -> tuple[Asked, ...] | Failed:
@@ -173,19 +187,19 @@ class Asking:
         """
         if self.kb is None or not waiting:
             return tuple(waiting)
-        groups: list[tuple[set[Any], list[Asked]]] = []
+        groups: list[tuple[set[Slot], list[Asked]]] = []
         for moment, relation in waiting:
-            relation = resolve(relation, env)
-            slots, members = set(slots_of(relation, {})), [(moment, relation)]
-            apart = [group for group in groups if not group[0] & slots]
-            for group in groups:
-                if group[0] & slots:
-                    slots |= group[0]
-                    members = [*group[1], *members]
-            groups = [*apart, (slots, members)]
+            relation = resolved(relation, env)
+            slots, members = set(slots_in(relation)), [(moment, relation)]
+            near = [group for group in groups if not slots.isdisjoint(group[0])]
+            for group in near:
+                groups.remove(group)
+                slots |= group[0]
+                members = [*group[1], *members]
+            groups.append((slots, members))
         kept: list[Asked] = []
         for slots, members in groups:
-            holds = None if any(each in used for each in slots) else self._hold(numbered(tuple(members), {}, {}))
+            holds = None if not slots.isdisjoint(used) else self._hold(numbered(tuple(members), {}, {}))
             if holds is False:
                 return Failed((f"nothing is {' and '.join(term_text(outward(r)) for _, r in members)} at once",))
             if holds is None:
@@ -202,22 +216,18 @@ class Asking:
             self._groups[group] = self._conditions.hold_together(atoms, self._history(moment)) if settled else None
         return self._groups[group]
 
-    def _together(self, waiting: Sequence[Asked], env: Env) -> Env | Failed:
-        """The substitution after what open conditions leave of each slot's values, where that is one.
+    def _together(self, waiting: tuple[Asked, ...]) -> Env | Failed:
+        """What open conditions, bound as far as is known, leave of each slot's values, where that is one.
 
         So ``{human(X)}`` and ``{vehicle(X)}`` exclude each other before anything is known of X.
         """
-        names: Env = {}
-        closed = tuple(dict.fromkeys(numbered(tuple(waiting), env, names)))
-        known = self._joined.get(closed)
+        key = key_of(waiting)
+        known = self._joined.get(key)
         if known is None:
-            if len(self._joined) > MOST_REMEMBERED:
+            if len(self._joined) > MOST_JOINED:
                 self._joined.clear()
-            known = self._joined[closed] = self._left(closed)
-        if isinstance(known, Failed) or not known:
-            return known or env
-        numbers = {number: name for name, number in names.items()}
-        return {**env, **{numbers[number]: value for number, value in known.items()}}
+            known = self._joined[key] = self._left(waiting)
+        return known
 
     def _left(self, waiting: Sequence[Asked]) -> Env | Failed:
         """By slot the one value that the conditions leave."""
@@ -226,24 +236,27 @@ class Asking:
             for at, values in self._values(moment, relation).items():
                 left[at] = left[at] & values if at in left else values
                 if not left[at]:
-                    both = [term_text(outward(r)) for _, r in waiting if at in slots_of(r, {})]
-                    return Failed((f"nothing is {' and '.join(both)} at once",))
-        return {at: next(iter(values)) for at, values in left.items() if len(values) == 1}
+                    both = numbered(tuple(dict.fromkeys([r for _, r in waiting if at in slots_in(r)])), {}, {})
+                    return Failed((f"nothing is {' and '.join([term_text(outward(r)) for r in both])} at once",))
+        return {at: next(iter(values)) for at, values in left.items() if len(values) == 1} or NOTHING
 
     def _values(self, moment: int, relation: Any) -> dict[Any, frozenset[Any]]:
         """By slot of an open condition the values it may have, where they are known."""
         assert self._conditions is not None
-        names: Env = {}
-        closed = numbered(relation, {}, names)
-        known = self._domains.get((moment, closed))
+        known = self._domains.get((moment, relation))
         if known is None:
-            atom = outward(closed)
-            found = self._conditions.values(atom, self._history(moment)) if self._is_known(moment) else {}
-            ours = {outward(number): number for number in names.values()}
-            known = {ours[variable]: frozenset(map(_inner, values)) for variable, values in found.items()}
-            self._domains[moment, closed] = known
-        numbers = {number: name for name, number in names.items()}
-        return {numbers[number]: values for number, values in known.items()}
+            names: Env = {}
+            closed = numbered(relation, {}, names)
+            if closed == relation:
+                atom = outward(closed)
+                found = self._conditions.values(atom, self._history(moment)) if self._is_known(moment) else {}
+                ours = {outward(number): number for number in names}
+                known = {ours[variable]: frozenset(map(_inner, values)) for variable, values in found.items()}
+            else:
+                general = self._values(moment, closed)
+                known = {name: general[number] for name, number in names.items() if number in general}
+            self._domains[moment, relation] = known
+        return known
 
     def _answer(self, moment: int, relation: Any, doing: Compound | Done | None) -> Any:
         """The relation as it holds (the very object, where nothing is bound), a refusal, or None while it is open."""

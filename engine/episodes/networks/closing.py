@@ -21,11 +21,13 @@ from casper.engine.episodes.networks.items.terms import (
     key_of,
     numbered,
     resolve,
-    slots_of,
+    resolved,
+    slots_in,
     unified,
 )
 
 MOST_TRIED = 100  # links looked at to see whether one can close
+ABOVE = 1_000  # what is taken upwards has slots from here on, so that it fits whatever conditions a link comes with
 Upwards: TypeAlias = "Callable[[Any, int], Iterator[tuple[Row, Env, tuple[Asked, ...]]]]"
 
 
@@ -34,16 +36,16 @@ class _Open:
 
     def __init__(self, due: tuple[Asked, ...], env: Env) -> None:
         self._due, self._env = due, env
-        self._bound: list[tuple[Asked, dict[Slot, None]]] | None = None
+        self._bound: list[tuple[Asked, tuple[Slot, ...]]] | None = None
 
     def about(self, link: Any) -> tuple[Asked, ...]:
         """Those that say something of the slots of a link that is bound, too."""
         if not self._due:
             return ()
         if self._bound is None:
-            bound = [(moment, resolve(relation, self._env)) for moment, relation in self._due]
-            self._bound = [(asked, slots_of(asked[1], {})) for asked in bound]
-        own = slots_of(link, {}).keys()
+            bound = [(moment, resolved(relation, self._env)) for moment, relation in self._due]
+            self._bound = [(asked, slots_in(asked[1])) for asked in bound]
+        own = set(slots_in(link))
         return tuple([asked for asked, slots in self._bound if not own.isdisjoint(slots)])
 
 
@@ -58,7 +60,7 @@ class Closing:
     def __init__(self, methods: Methods, asking: Asking) -> None:
         self.methods, self.asking = methods, asking
         self._fitting: dict[Any, bool] = {}
-        self._links: dict[tuple[Any, tuple[Asked, ...]], bool] = {}
+        self._upwards: dict[Any, list[tuple[Row, Env, tuple[Asked, ...]]]] = {}
 
     def can_close(self, row: Row, env: Env, due: tuple[Asked, ...], upwards: Upwards) -> bool:
         """Whether every task that is open or under way may still be done, by what is known of its parameters.
@@ -93,16 +95,15 @@ class Closing:
         """
         if self.asking.kb is None and len(link[1]) == 1:
             return True
-        key = link, open_.about(link)
-        known = self._links.get(key)
-        if known is None:
-            start = numbered(key, {}, {})
+        remembered, asked = self.asking.closing, (link, open_.about(link))
+        key = key_of(asked)
+        if key not in remembered:
+            start = numbered(asked, {}, {})
             same = key_of(start)
-            known = self.asking.closing.get(same)
-            if known is None:
-                known = self.asking.closing[same] = self._search(start, upwards)
-            self._links[key] = known
-        return known
+            if same not in remembered:
+                remembered[same] = self._search(start, upwards)
+            remembered[key] = remembered[same]
+        return remembered[key]
 
     def _search(self, start: Any, upwards: Upwards) -> bool:
         seen, waiting = {start}, [start]
@@ -111,7 +112,9 @@ class Closing:
             closed = unified(link[1], link[2], {})
             if closed is not None and not isinstance(self.asking.settled(due, closed), Failed):
                 return True
-            for row, env, asked in upwards(link, len(slots_of((link, due), {}))):
+            if link not in self._upwards:
+                self._upwards[link] = list(upwards(link, ABOVE))
+            for row, env, asked in self._upwards[link]:
                 settled = self.asking.settled((*due, *asked), env)
                 if not isinstance(settled, Failed):
                     env, due_then = settled

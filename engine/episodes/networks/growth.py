@@ -76,7 +76,7 @@ class Growth(Passing):
 
     def reach(self, item: Any, budget: float) -> bool:
         """Whether the action may be met in the item with so many misses."""
-        return any(self.methods.distance(item, indicator) <= budget for indicator in self.indicators)
+        return any([self.methods.distance(item, action) <= budget for action in self.indicators])
 
     def row(self, row: Row, env: Env, budget: int, barred: Barred) -> Iterator[Taken]:
         """Every way in which a row takes the observation: in its first item, or with that passed over."""

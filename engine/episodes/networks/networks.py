@@ -11,7 +11,7 @@ equal states are one step, with the fewest misses.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Hashable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from casper.engine.collaboration.collaboration import CollaborativePlan, longest_run
@@ -106,7 +106,7 @@ class Networks:
         self._goals = [(label, inward(term, {})) for label, term in goals]
         self.was_cut = False
         self._growths: dict[tuple[str, Any, str | None, int], Growth] = {}
-        self._choices: dict[Hashable, Counter[Indicator]] = {}  # by rest
+        self._choices: dict[Hashable, tuple[tuple[Indicator, int], ...]] = {}  # by rest
         self._least: dict[Hashable, int] = {}
         self._derived: dict[tuple[State, tuple[Compound, ...]], Done | None] = {}
 
@@ -166,7 +166,7 @@ class Networks:
         self, state: State, option: Observation, likelihood: float, ways: Collection[Step[State]]
     ) -> Iterator[Step[State]]:
         """The ways, each with its part of the chance of the leaves that `choices` counts for them."""
-        counted = sum(count for (name, _), count in self._next(state).items() if name == option.action)
+        counted = sum([count for (name, _), count in self._next(state) if name == option.action])
         alike = Counter([step.missed for step in ways])
         for step in ways:
             yield step._replace(weight=likelihood, part=min(1.0, max(1, counted) / alike[step.missed]))
@@ -244,9 +244,9 @@ class Networks:
 
     def choices(self, state: State) -> int:
         """How many leaves could come next without a miss: open actions, and names that open tasks begin with."""
-        return sum(self._next(state).values())
+        return sum([count for _, count in self._next(state)])
 
-    def _next(self, state: State) -> Mapping[Indicator, int]:
+    def _next(self, state: State) -> tuple[tuple[Indicator, int], ...]:
         """By name and arity how many leaves could come next: a name that open tasks begin with is one leaf."""
         key = key_of(state.rest)
         known = self._choices.get(key)
@@ -256,9 +256,9 @@ class Networks:
             found: set[Any] = set()
             names: set[Indicator] = set()
             self.methods.add_first(state.rest, found, names)
-            known = Counter(map(indicator, found))
-            known.update(names.difference(known))
-            self._choices[key] = known
+            counted = Counter(map(indicator, found))
+            counted.update(names.difference(counted))
+            known = self._choices[key] = tuple(counted.items())
         return known
 
     def is_done(self, state: State) -> bool:

@@ -47,6 +47,7 @@ class Methods:
         self.number = tables.number
         self.corners = Corners(self)
         self._fits: dict[tuple[Any, ...], bool] = {}
+        self._first: dict[Indicator, frozenset[Indicator]] = {}
 
     @property
     def grammar(self) -> Grammar:
@@ -190,8 +191,7 @@ class Methods:
                 found.add(item[1])
                 names.add(indicator(item[1]))
             elif kind is CALL:
-                mask = self.tables.first[indicator(item[1])]
-                names.update(action for action, bit in self.tables.bit.items() if mask & bit)
+                names |= self._first_of(indicator(item[1]))
             elif kind is LINK:
                 names.update(self.corners.first(indicator(item[1]), indicator(item[2])))
             elif kind is PAR:
@@ -205,6 +205,15 @@ class Methods:
                 self.add_first((item[1],) if kind is REP else item[1], found, names)
             if self.least_of(item):
                 return
+
+    def _first_of(self, task: Indicator) -> frozenset[Indicator]:
+        """The actions that a task can begin with."""
+        found = self._first.get(task)
+        if found is None:
+            mask = self.tables.first[task]
+            found = frozenset(action for action, bit in self.tables.bit.items() if mask & bit)
+            self._first[task] = found
+        return found
 
     def _distance_from(self, action: Indicator) -> Mapping[Indicator, float]:
         """By task its distance from the action: the least fixpoint, from the tasks that have the action on."""

@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import marshal
 from collections.abc import Hashable
+from functools import cmp_to_key, partial
 from typing import Any, TypeAlias
 
 from casper.kb.errors import PlanError
@@ -147,8 +148,8 @@ def numbered(term: Any, env: Env, names: dict[Slot, Slot]) -> Any:
     if kind is not tuple:
         return term
     if term and term[0] is PAR and not any(term[2]):
-        items = sorted(_flat(term, env), key=shape)
-        return (PAR, tuple([numbered(item, {}, names) for item in items]), (0,) * len(items))
+        items = sorted(_flat(term), key=cmp_to_key(partial(_order, env)))
+        return (PAR, tuple([numbered(item, env, names) for item in items]), (0,) * len(items))
     parts = list(term)
     for at, part in enumerate(term):  # as above for each part, without a call for those that need none
         kind = part.__class__
@@ -162,36 +163,40 @@ def numbered(term: Any, env: Env, names: dict[Slot, Slot]) -> Any:
     return tuple(parts)
 
 
-def _flat(group: Any, env: Env) -> list[Any]:
+def _flat(group: Any) -> list[Any]:
     """The items of a group without an order, and those of such groups within it."""
     found: list[Any] = []
     for item in group[1]:
         if item[0] is PAR and not any(item[2]):
-            found.extend(_flat(item, env))
+            found.extend(_flat(item))
         else:
-            found.append(resolve(item, env))
+            found.append(item)
     return found
 
 
-_SHAPES: dict[Hashable, str] = {}
+def _order(env: Env, left: Any, right: Any) -> int:
+    """Below 0 where ``left`` comes first: as texts, open slots alike, and what goes on longer before what does not."""
+    while left.__class__ is Slot and (value := env.get(left)) is not None:
+        left = value
+    while right.__class__ is Slot and (value := env.get(right)) is not None:
+        right = value
+    if left.__class__ is tuple and right.__class__ is tuple:
+        for one, other in zip(left, right):
+            if one is not other or one.__class__ is tuple:
+                found = _order(env, one, other)
+                if found:
+                    return found
+        return len(right) - len(left)
+    if left is right:
+        return 0
+    first, then = _text(left), _text(right)
+    return (first > then) - (first < then)
 
 
-def shape(item: Any) -> str:
-    """What an item looks like when its slots are left out."""
-    key = key_of(item)
-    found = _SHAPES.get(key)
-    if found is None:
-        if len(_SHAPES) > 100_000:
-            _SHAPES.clear()
-        found = _SHAPES[key] = _shape(item)
-    return found
-
-
-def _shape(item: Any) -> str:
-    kind = item.__class__
-    if kind is not tuple:
-        return "_" if kind is Slot else _TAGS.get(item) or repr(item)
-    return f"({' '.join([part if part.__class__ is str else _shape(part) for part in item])})"
+def _text(atom: Any) -> str:
+    if atom.__class__ is str:
+        return str(atom)
+    return "_" if atom.__class__ is Slot else "(" if atom.__class__ is tuple else repr(atom)
 
 
 def slots_of(term: Any, found: dict[Slot, None]) -> dict[Slot, None]:
@@ -207,6 +212,24 @@ def slots_of(term: Any, found: dict[Slot, None]) -> dict[Slot, None]:
             elif kind is tuple:
                 slots_of(part, found)
     return found
+
+
+_KNOWN: dict[Any, tuple[Slot, ...]] = {}
+
+
+def slots_in(term: Any) -> tuple[Slot, ...]:
+    """The slots of a small term that is met again and again."""
+    found = _KNOWN.get(term)
+    if found is None:
+        if len(_KNOWN) > 10_000:
+            _KNOWN.clear()
+        found = _KNOWN[term] = tuple(slots_of(term, {}))
+    return found
+
+
+def resolved(term: Any, env: Env) -> Any:
+    """As `resolve`, of a small term that is met again and again and mostly stays as it is."""
+    return term if env.keys().isdisjoint(slots_in(term)) else resolve(term, env)
 
 
 def unified(left: Any, right: Any, env: Env) -> Env | None:
