@@ -1,4 +1,4 @@
-"""Draws the pictures of the pages: a breakfast at three moments, the tutorial's room, the focus of a drink.
+"""Draws the pictures of the pages: a breakfast at three moments, the tutorial's room, the focus of a drink, TIAGo++.
 
     MUJOCO_GL=egl python docs/pictures.py
 
@@ -6,8 +6,10 @@ notebook.png is a part of the first notebook's page, as a browser shows it; repo
 `casper run kitchen --goal lunch --seed 3 --report lunch.html` at `lunch.html#t=80`, 1280 by 1570 pixels.
 """
 
+import math
 import sys
 import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 import matplotlib
@@ -24,7 +26,8 @@ from visits import Visit  # noqa: E402
 
 from casper import Domain  # noqa: E402
 from casper.engine.events.curves import focus_curve  # noqa: E402
-from casper.sim_adapter.eye.camera import Camera  # noqa: E402
+from casper.kb.errors import CasperError  # noqa: E402
+from casper.sim_adapter.eye.camera import Camera, look_from  # noqa: E402
 from casper.sim_adapter.trial import Trial, TrialSettings  # noqa: E402
 
 
@@ -66,6 +69,30 @@ def tearoom() -> list[tuple[str, np.ndarray]]:
     return found
 
 
+def tiago() -> list[tuple[str, np.ndarray]]:
+    """TIAGo++ at a breakfast: it watches, takes the plate, carries it, washes it."""
+    trial = Trial(Domain.load("kitchen"), TrialSettings("breakfast", 3, body="tiago"))
+    robot, camera, found = trial.simulation.robot, Camera(trial.simulation.physics, 800, 800), {}
+
+    def take(title: str, turn: float) -> None:
+        x, y, heading = robot.pose
+        place = (x + 2.1 * math.cos(heading + turn), y + 2.1 * math.sin(heading + turn), 1.75)
+        found[title] = camera.frame(**look_from(place, (x + 0.2 * math.cos(heading), y + 0.2 * math.sin(heading), 0.8)))
+
+    def look() -> None:
+        step, held = robot.current, robot.holding == "plate"
+        if held and "takes the plate" not in found:
+            take("takes the plate", -1.2)
+        elif held and step is not None and step.skill == "use" and "washes it" not in found:
+            take("washes it", 2.3)
+
+    trial.each_step = look
+    for event in trial.events():
+        if event.type == "prediction":
+            take("watches", -0.7)
+    return list(found.items())
+
+
 def draw(pictures: list[tuple[str, np.ndarray]], file: str) -> None:
     """Pictures side by side in a file."""
     figure, axes = plt.subplots(1, len(pictures), figsize=(5 * len(pictures), 5.3))
@@ -87,3 +114,5 @@ if __name__ == "__main__":
     draw(frames(), "breakfast.png")
     draw(tearoom(), "tearoom.png")
     focus("focus.svg")
+    with suppress(CasperError):  # its model is not there
+        draw(tiago(), "tiago.png")

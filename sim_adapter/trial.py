@@ -25,7 +25,7 @@ from casper.sim_adapter.partners.goals import goals_of_partners
 from casper.sim_adapter.partners.partner import Partner, check_bodies
 from casper.sim_adapter.physics.stability import PhysicsFailed
 from casper.sim_adapter.room.facts import scene_of
-from casper.sim_adapter.room.scene import Scene
+from casper.sim_adapter.room.scene import BODY, Scene
 from casper.sim_adapter.script import ScriptedAction
 from casper.sim_adapter.simulation import Simulation
 from casper.sim_adapter.truth import Truth
@@ -47,6 +47,7 @@ class TrialSettings:
     before the robot acts on it (None: as the domain says).
     ``partner`` is how they behave besides
     (`casper.sim_adapter.partners.behaviours.table`): plain, one of the behaviours or several with commas, or mixed.
+    ``body`` is the robot's (`casper.sim_adapter.physics.bodies.table`).
     """
 
     goal: str | None = None
@@ -60,6 +61,7 @@ class TrialSettings:
     changes_mind: bool = False
     certainty: float | None = None
     partner: str = PLAIN
+    body: str = BODY
 
     @property
     def wanted(self) -> list[str]:
@@ -72,8 +74,9 @@ class Trial:
     """One run of the experiment; iterate over ``events()`` to carry it out.
 
     Raises:
+        CasperError: what the robot's body is made of is missing.
         DomainError, PlanError: the domain lacks a scene or goals, a goal is unknown or cannot be acted out, or the
-            seed or the number of goals is none, there is no such behaviour, or nobody can behave so there.
+            seed or the number of goals is none, there is no such behaviour or body, or nobody can behave so there.
     """
 
     domain: Domain
@@ -90,7 +93,7 @@ class Trial:
     def __post_init__(self) -> None:
         chosen = self.settings
         check_seed(chosen.seed)
-        scene = scene_of(self.domain)
+        scene = replace(scene_of(self.domain), body=chosen.body)
         check_bodies(self.domain, scene)
         day = (chosen.wanted, chosen.goals_in_a_row, chosen.changes_mind, chosen.seed)
         goals = goals_of_partners(self.domain, scene, *day)

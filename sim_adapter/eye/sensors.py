@@ -9,10 +9,10 @@ import mujoco
 import numpy as np
 
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
+from casper.sim_adapter.physics.bodies.body import eye_name
 from casper.sim_adapter.physics.model import hand_name
 from casper.sim_adapter.physics.parts import FURNITURE, WALLS
 from casper.sim_adapter.physics.physics import Physics, Vector
-from casper.sim_adapter.physics.robot import eye_name
 from casper.sim_adapter.physics.room import furniture_name
 from casper.sim_adapter.room.geometry import turn
 from casper.sim_adapter.room.placement import Spot

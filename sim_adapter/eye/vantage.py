@@ -8,8 +8,6 @@ import numpy as np
 
 from casper.sim_adapter.eye.sensors import Sensor, visible_from
 from casper.sim_adapter.physics.physics import Physics
-from casper.sim_adapter.physics.robot import HEAD_Z, SHOULDER_Z
-from casper.sim_adapter.robot.arm import HOME, best_lift
 from casper.sim_adapter.room.navigation import CELL, Navigator
 from casper.sim_adapter.room.scene import Point
 
@@ -18,12 +16,11 @@ APART = (1.1, 0.9, 0.7)  # metres kept from every object, so that the partner ca
 
 def vantage(physics: Physics, sensor: Sensor, navigator: Navigator, start: Point) -> Point:
     """The best spot, of equally good ones the nearest to the start; the start when there is no free spot."""
-    height = SHOULDER_Z + best_lift(HOME[2]) + HEAD_Z
     things = physics.scene.things
     where = physics.positions()
 
     def seen(spot: Point) -> int:
-        eye = np.array([*spot, height])
+        eye = np.array([*spot, physics.body.eye_height])
         return sum(visible_from(sensor, eye, things[name], at) for name, at in where.items())
 
     spots = [(CELL * column, CELL * row) for column, row in navigator.graph]

@@ -22,6 +22,11 @@ class Grip:
     up: float
     width: float
 
+    @property
+    def is_rim(self) -> bool:
+        """Whether it is the rim that is taken, not the whole."""
+        return self.out > 0.0
+
     def point(self, physics: Physics, name: str, robot: Point) -> Spot:
         """Where the fingertips belong now."""
         x, y, z = physics.position(name)

@@ -1,4 +1,4 @@
-"""Scene → MuJoCo model, from primitives only: the room and its furniture, the objects, people, a robot."""
+"""Scene → MuJoCo model: the room and its furniture, the objects, people, a robot."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from typing import Any
 
 import mujoco
 
+from casper.sim_adapter.physics.bodies.table import body_of
 from casper.sim_adapter.physics.human import add_human
 from casper.sim_adapter.physics.objects import add_things
-from casper.sim_adapter.physics.robot import add_robot
 from casper.sim_adapter.physics.room import add_room
 from casper.sim_adapter.room.scene import Scene
 
@@ -39,7 +39,7 @@ def build_spec(scene: Scene) -> Any:
     add_things(spec, scene)
     for number, person in enumerate(scene.people):
         add_human(spec, person, number)
-    add_robot(spec, scene)
+    body_of(scene.body).add(spec, scene)
     for agent in (*scene.people, scene.robot):
         for thing in scene.movables:
             _add_hold(spec, agent, thing)

@@ -78,11 +78,25 @@ def add_servo_hinge(
     kind = mujoco.mjtJoint.mjJNT_SLIDE if slide else mujoco.mjtJoint.mjJNT_HINGE
     joint = body.add_joint(name=name, type=kind, axis=list(axis))
     joint.armature = armature
-    servo = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
-    servo.set_to_position(kp=kp, dampratio=1.0)
     if limits is not None:
         joint.limited = True
         joint.range = list(limits)
+    add_servo(spec, name, kp, force=force)
+
+
+def add_servo(spec: Any, joint: str, kp: float, *, force: float | None = None) -> None:
+    """A critically damped position servo of a joint, named like it; ``force`` is the most it has (N or N m)."""
+    servo = spec.add_actuator(name=joint, target=joint, trntype=mujoco.mjtTrn.mjTRN_JOINT)
+    servo.set_to_position(kp=kp, dampratio=1.0)
     if force is not None:
         servo.forcelimited = True
         servo.forcerange = [-force, force]
+
+
+def add_base(spec: Any, robot: str) -> Any:
+    """A robot's base: a body of the robot's name that slides over the floor and turns."""
+    base = spec.worldbody.add_body(name=robot)
+    add_servo_hinge(spec, base, f"{robot}:x", (1, 0, 0), kp=6000, slide=True, force=800, armature=1.0)
+    add_servo_hinge(spec, base, f"{robot}:y", (0, 1, 0), kp=6000, slide=True, force=800, armature=1.0)
+    add_servo_hinge(spec, base, f"{robot}:yaw", (0, 0, 1), kp=1500, force=300, armature=1.0)
+    return base

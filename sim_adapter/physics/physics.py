@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from casper.kb.errors import DomainError
+from casper.sim_adapter.physics.bodies.table import body_of
 from casper.sim_adapter.physics.guided import Guided
 from casper.sim_adapter.physics.model import build_model, hand_name, hold_name
 from casper.sim_adapter.physics.stability import check_stable, keep_warnings_to_itself
@@ -29,6 +30,7 @@ class Physics:
     def __init__(self, scene: Scene) -> None:
         keep_warnings_to_itself()
         self.scene = scene
+        self.body = body_of(scene.body)
         self.model: Any = build_model(scene)
         self.data: Any = mujoco.MjData(self.model)
         self.substeps = max(1, round(scene.sim.control / scene.sim.timestep))

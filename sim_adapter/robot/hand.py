@@ -8,14 +8,13 @@ from contextlib import suppress
 
 from casper.sim_adapter.physics.grip import grip_of, touching
 from casper.sim_adapter.physics.physics import STILL_SPEED, Physics
-from casper.sim_adapter.robot.arm import HOME, RobotArm
+from casper.sim_adapter.robot.arm import RobotArm
 from casper.sim_adapter.robot.base import RobotBase
 from casper.sim_adapter.robot.space import Space
 from casper.sim_adapter.room.geometry import bearing, turn
 from casper.sim_adapter.room.placement import Spot, is_placed, place_spot
 from casper.sim_adapter.steps import Missed, OutOfReach, StepFailed, Ticks
 
-CARRY_CLEAR = 0.95  # a carried object's underside is kept above this
 HOVER, TOUCH = 0.12, 0.004  # metres above its place at which an object is brought there, and let down to
 SCRUBS, SWING, RISE = 3, 0.03, 0.02  # how often, how far and how much lifted a used object moves to and fro
 
@@ -34,13 +33,14 @@ class RobotHand:
         self.settings = self.scene.robot_settings
         self.base = base
         self.arm = arm
+        self.body = physics.body
         self._stood = 0.0  # seconds that the arm has stood because somebody was too near
         self._dt = self.scene.sim.control
 
     def home(self) -> Ticks:
         """Fold the empty arm."""
-        yield from self._glide(lambda: HOME)
-        self.arm.aim_lift(HOME[2])
+        yield from self._glide(lambda: self.body.home)
+        self.arm.aim_lift(self.body.home[2])
 
     def grasp(self, target: str) -> Ticks:
         """Fingers round the object from above; it holds only when they are really there and closed on it."""
@@ -50,6 +50,7 @@ class RobotHand:
             return grip.point(self.physics, target, self.base.place)
 
         self.arm.open_for(grip.width)
+        self.arm.roll = 0.0 if grip.is_rim else self.body.roll
         self.arm.aim_lift(self.physics.position(target)[2])
         yield from self._tool_to(lambda: _above(goal(), HOVER))
         yield from self._wait(lambda: self.arm.lifted, 5.0)
@@ -64,15 +65,15 @@ class RobotHand:
 
     def take_up(self, target: str) -> Ticks:
         """Lift, and draw back to where it is carried, unless it is there already."""
-        x, y, z = self.arm.tool
+        (x, y, z), (out, aside, least) = self.arm.tool, self.body.home
         below = self._tool()[2] - self.physics.position(target)[2] + self.scene.thing(target).height / 2
-        height = max(CARRY_CLEAR + below, HOME[2])
-        if math.hypot(x - HOME[0], y) < 0.01 and z > height - 0.02:
+        height = max(self.body.carry_clear + below, least)
+        if math.hypot(x - out, y - aside) < 0.01 and z > height - 0.02:
             return
         height = max(z + 0.1, height)
         yield from self._glide(lambda: (x, y, height))
         self.arm.aim_lift(height)
-        yield from self._glide(lambda: (HOME[0], 0.0, height))
+        yield from self._glide(lambda: (out, aside, height))
 
     def put(self, target: str, destination: str) -> Ticks:
         """Bring what is held to its place, and see that it stays there."""
@@ -100,7 +101,7 @@ class RobotHand:
         yield from self._pause(0.4)
         x, y, z = self.arm.tool
         with suppress(OutOfReach):  # stretched out it cannot rise
-            yield from self._glide(lambda: (x, y, max(z, min(z + 0.15, HOME[2]))))
+            yield from self._glide(lambda: (x, y, max(z, min(z + 0.15, self.body.home[2]))))
         yield from self.home()
 
     def release(self, target: str) -> Ticks:
@@ -111,7 +112,7 @@ class RobotHand:
         yield from self._pause(0.4)
         x, y, z = self.arm.tool
         yield from self._glide(lambda: (x, y, z + 0.15))
-        yield from self._glide(lambda: HOME)
+        yield from self._glide(lambda: self.body.home)
 
     def scrub(self, target: str) -> Ticks:
         """Move what is held to and fro where it is, a little lifted, then back to where it was."""
@@ -193,6 +194,7 @@ class RobotHand:
             x, y, z = (a + share * (b - a) for a, b in zip(start, end))
             self.arm.tool = (x, y, z)
             yield
+        yield from self._wait(lambda: not self.arm.waits_for_lift, 5.0)
         self._check_reach()
 
     def _wait(self, until: Callable[[], bool], seconds: float) -> Ticks:

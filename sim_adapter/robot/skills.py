@@ -11,7 +11,6 @@ from collections.abc import Callable, Generator, Mapping, Sequence
 
 from casper.sim_adapter.physics.model import hand_name
 from casper.sim_adapter.physics.physics import Physics
-from casper.sim_adapter.robot.arm import HOME
 from casper.sim_adapter.robot.base import RobotBase, never
 from casper.sim_adapter.robot.hand import RobotHand
 from casper.sim_adapter.room.geometry import Disc, point_to_segment
@@ -204,7 +203,7 @@ class RobotSkills:
     @property
     def is_at_rest(self) -> bool:
         """Whether nothing need be done to end a step: the gripper is empty and the arm folded."""
-        return self.holding is None and math.dist(self.hand.arm.tool, HOME) < 0.01
+        return self.holding is None and math.dist(self.hand.arm.tool, self.physics.body.home) < 0.01
 
     # --- standing where it can be reached ---------------------------------------------------------------------------
 

@@ -16,6 +16,7 @@ MOVABLE_SHAPES = ("box", "cylinder", "dish")
 FIXED_SHAPES = ("basin", "panel")
 PLACINGS = ("inside", "on_top", "beside")
 SIDES = ("north", "south", "east", "west")
+BODY = "primitive"  # the robot's, where nobody asks for another one
 WALL = 0.008  # thickness of a dish's floor and rim
 
 
@@ -84,7 +85,8 @@ class Thing:
 class Scene:
     """Everything the simulator builds from; ``docs/rooms.md`` has the facts and their units.
 
-    ``people`` are those who are watched, ``starts`` x, y, heading (radians) of those whose start is said.
+    ``people`` are those who are watched, ``starts`` x, y, heading (radians) of those whose start is said, ``body`` is
+    the robot's (`sim_adapter.physics.bodies`).
     """
 
     outline: tuple[Point, ...]
@@ -99,6 +101,7 @@ class Scene:
     human_settings: HumanSettings
     robot_settings: RobotSettings
     sensor: SensorSettings
+    body: str = BODY
 
     @property
     def human(self) -> str:

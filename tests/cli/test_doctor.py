@@ -97,3 +97,17 @@ def test_an_editor_without_its_library_is_told_what_to_install(casper, monkeypat
     told = casper("lsp", "--stdio")
     assert told.code == 2
     assert told.err == "casper: this needs pygls, which is not installed: pip install 'casper-hri[lsp]'\n"
+
+
+def test_what_no_extra_brings_has_a_line_of_its_own_to_type(casper, machine):
+    machine["joblib"] = "1.6.0"
+    told = casper("doctor").out
+    assert "○ tiago " in told and "robosuite missing" in told
+    assert "-m pip install --no-deps 'robosuite>=1.5'" in told
+    assert "tiago" not in told.splitlines()[-1]  # the line that installs all extras
+
+
+def test_a_package_that_is_older_than_its_model_is_a_fault(casper, machine):
+    machine |= {"joblib": "1.6.0", "robosuite": "1.4.1"}
+    told = casper("doctor")
+    assert told.code == 1 and "robosuite 1.4.1: >=1.5 is needed" in told.out

@@ -91,3 +91,10 @@ def test_many_trials_name_each_one_that_went_wrong():
     data = told.work(ASKED, lambda trials: [outcome(t, right=t["goal"] != "lunch", predicted="drink") for t in trials])
     text = "\n\n".join(told.says(data))
     assert "- lunch, seed 9: read as drink" in text and "66.67%" in text
+
+
+def test_another_body_of_the_robot_is_a_setting_of_every_trial_and_told():
+    asked = Asked(KITCHEN, 2, 7, "tiago")
+    assert [trial["body"] for trial in trials_of(asked, 1)] == ["tiago", "tiago"]
+    assert asked.first == {"first seed": 7, "robot": "tiago"} and ASKED.first == {"first seed": 7}
+    assert all("body" not in trial for trial in trials_of(ASKED, 1))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Mapping
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
 from casper.kb.errors import CasperError, DomainError
+from casper.sim_adapter.room.scene import BODY
 
 if TYPE_CHECKING:
     from casper.sim_adapter.trial import Trial, TrialSettings
@@ -67,16 +69,23 @@ def judged(domain: Domain, settings: TrialSettings) -> dict[str, Any]:
     Raises:
         CasperError: the trial cannot be run, or something in it went wrong: the sentence says what.
     """
-    from casper.sim_adapter.trial import Trial
-
     try:
-        trial = Trial(domain, settings)
-        return _judged(trial, list(trial.events()))
+        return _judged(*_carried_out(domain, settings))
     except (CasperError, MemoryError):
         raise
     except Exception as mistake:  # a trial that breaks must not end the thousand others
         first = (str(mistake).strip() or "no reason given").splitlines()[0]
         raise CasperError(f"the trial broke off: {type(mistake).__name__}: {first}") from mistake
+    finally:
+        if settings.body != BODY:
+            gc.collect()  # meshes are tens of megabytes, and a trial refers to itself, so that nothing else frees it
+
+
+def _carried_out(domain: Domain, settings: TrialSettings) -> tuple[Trial, list[Event]]:
+    from casper.sim_adapter.trial import Trial
+
+    trial = Trial(domain, settings)
+    return trial, list(trial.events())
 
 
 def _judged(trial: Trial, events: list[Event]) -> dict[str, Any]:

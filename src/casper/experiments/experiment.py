@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from casper.engine.domain.domain import Domain
+from casper.sim_adapter.room.scene import BODY
 
 Row: TypeAlias = dict[str, Any]
 Trial: TypeAlias = Mapping[str, Any]
@@ -18,16 +19,22 @@ class Asked:
     """What is asked of an experiment.
 
     ``trials`` is how many there are, of each condition where there are several; None: as many as the experiment takes
-    by itself. ``seed`` is the first one.
+    by itself. ``seed`` is the first one, ``body`` the simulated robot's.
     """
 
     domain: Domain
     trials: int | None = None
     seed: int = 0
+    body: str = BODY
 
     def count(self, usual: int) -> int:
         """How many trials: those asked for, or as many as usual."""
         return usual if self.trials is None else self.trials
+
+    @property
+    def first(self) -> dict[str, Any]:
+        """What is told of every experiment with trials: the first seed, and the body where it is another one."""
+        return {"first seed": self.seed, **({} if self.body == BODY else {"robot": self.body})}
 
 
 @dataclass(frozen=True, slots=True)

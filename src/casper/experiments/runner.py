@@ -17,6 +17,7 @@ from casper.experiments.files import check_folder, draw, read_data, write_data
 from casper.experiments.page import write_page
 from casper.experiments.registry import named
 from casper.kb.errors import CasperError
+from casper.sim_adapter.room.scene import BODY
 
 JOURNAL = "trials.jsonl"
 PAGE = "paper.md"
@@ -40,7 +41,7 @@ class Where:
 
 
 def run_experiments(
-    names: Sequence[str], where: Where, trials: int | None = None, seed: int = 0
+    names: Sequence[str], where: Where, trials: int | None = None, seed: int = 0, body: str = BODY
 ) -> Iterator[tuple[Experiment, Data, list[Path]]]:
     """Run experiments, or draw them anew: of each its data and the files that were written, one after the other.
 
@@ -48,11 +49,12 @@ def run_experiments(
     further trials are added to those that are there.
 
     Raises:
-        CasperError: an unknown experiment, a number or a seed that is none, a folder, page or cluster that cannot be
-            used, a library that is missing, kept trials of another version, or a worker that died.
+        CasperError: an unknown experiment or body of the robot, a number or a seed that is none, a folder, page or
+            cluster that cannot be used, a library that is missing, kept trials of another version, or a worker that
+            died.
     """
     chosen = named(names)
-    asked = _asked(trials, seed)
+    asked = _asked(trials, seed, body)
     check_jobs(where.jobs)
     _check_libraries(chosen, asked, where.redraw)
     check_folder(where.out)
@@ -70,11 +72,11 @@ def run_experiments(
             write_page(page, chosen, where.out)
 
 
-def _asked(trials: int | None, seed: int) -> Asked:
+def _asked(trials: int | None, seed: int, body: str) -> Asked:
     if trials is not None and trials < 1:
         raise CasperError(f"the number of trials is a whole number from 1, not {trials}")
     check_seed(seed)
-    return Asked(Domain.load("kitchen"), trials, seed)
+    return Asked(Domain.load("kitchen"), trials, seed, body)
 
 
 def _check_libraries(chosen: Sequence[Experiment], asked: Asked, redraw: bool) -> None:
@@ -84,6 +86,10 @@ def _check_libraries(chosen: Sequence[Experiment], asked: Asked, redraw: bool) -
     for module, extra in needed.items():
         if find_spec(module) is None:
             raise CasperError(f"this needs {module}, which is not installed: pip install 'casper-hri[{extra}]'")
+    if "mujoco" in needed:
+        from casper.sim_adapter.physics.bodies.table import body_of
+
+        body_of(asked.body)
 
 
 class _Trials:

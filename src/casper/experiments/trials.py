@@ -7,17 +7,19 @@ from statistics import mean
 from typing import Any
 
 from casper.experiments.experiment import Asked, Row, Trial
+from casper.sim_adapter.room.scene import BODY
 
 
 def trials_of(asked: Asked, usual: int, **how: Any) -> list[Trial]:
     """So many trials, goals in turn; of a larger number the first are those of a smaller one.
 
     Args:
-        asked: whose goals, how many, and the first seed.
+        asked: whose goals, how many, the first seed, and the robot's body.
         usual: how many where no number is asked for.
         how: further settings of each.
     """
     goals = list(asked.domain.library.goals)
+    how |= {} if asked.body == BODY else {"body": asked.body}
     return [{"goal": goals[at % len(goals)], "seed": asked.seed + at, **how} for at in range(asked.count(usual))]
 
 

@@ -8,7 +8,7 @@ pytest.importorskip("mujoco")
 
 from simulated_kitchen import kitchen_scene, put, use
 
-from casper.sim_adapter.robot.arm import HOME
+from casper.sim_adapter.physics.bodies.primitive import HOME
 from casper.sim_adapter.simulation import Simulation
 from casper.sim_adapter.steps import Step
 

@@ -10,8 +10,7 @@ pytest.importorskip("mujoco")
 from simulated_kitchen import SCRIPTS, kitchen_scene, put, run_until_idle, use
 
 from casper.kb.errors import DomainError
-from casper.sim_adapter.physics.robot import FORE, SHOULDER_X, SHOULDER_Z, TOOL, UPPER
-from casper.sim_adapter.robot.arm import arm_angles
+from casper.sim_adapter.physics.bodies.primitive import FORE, SHOULDER_X, SHOULDER_Z, TOOL, UPPER, arm_angles
 from casper.sim_adapter.simulation import Simulation
 from casper.sim_adapter.steps import Step
 

@@ -43,7 +43,7 @@ def doctor(
             show(out, [line(f"{name:<10} {told}")])
         for extra in extras:
             _show(extra)
-        missing = [extra.name for extra in extras if extra.name and not extra.is_there]
+        missing = [extra.name for extra in extras if extra.name and not extra.install and not extra.is_there]
         if missing:
             show(out, [line(f"everything that is missing: {sys.executable} -m pip install '{_wanted(missing)}'")])
     raise typer.Exit(1 if any(library.wrong for extra in extras for library in extra.libraries) else 0)
@@ -60,7 +60,8 @@ def _show(extra: Extra) -> None:
     show(console(), [line(mark, " ", Span(f"{extra.name or 'core':<16}", "strong"), f" {extra.purpose}")])
     show(console(), [line("  ", Span(libraries, "faint"))])
     if extra.name and not extra.is_there:
-        show(console(), [line(f"  {sys.executable} -m pip install '{_wanted([extra.name])}'")])
+        install = extra.install or f"pip install '{_wanted([extra.name])}'"
+        show(console(), [line(f"  {sys.executable} -m {install}")])
 
 
 def _told(library: Library) -> str:

@@ -14,6 +14,8 @@ from pathlib import Path
 from typing import Any
 
 import casper
+from casper.sim_adapter.physics.bodies.package import INSTALL, LEAST
+from casper.sim_adapter.physics.bodies.package import PACKAGE as ROBOSUITE
 
 PACKAGE = "casper-hri"
 PURPOSES: Mapping[str, str] = {
@@ -36,6 +38,11 @@ PURPOSES: Mapping[str, str] = {
 }
 """What each extra is for. Extras that are for developers of the package alone are not told."""
 
+BESIDE: Mapping[str, tuple[str, str, str, str]] = {
+    "tiago": ("casper run --robot tiago, the model of TIAGo++", ROBOSUITE, LEAST, INSTALL),
+}
+"""What no extra brings, since only data of it are read: what it is for, the library, its bounds, what to type."""
+
 _REQUIREMENT = re.compile(r"([A-Za-z0-9][A-Za-z0-9._-]*)\s*(?:\[[^\]]*\])?\s*\(?([^;)]*)\)?\s*(?:;(.*))?")
 _EXTRA = re.compile(r"extra\s*==\s*['\"]([^'\"]+)['\"]")
 _BOUND = re.compile(r"(>=|<=|==|!=|<|>|~=)\s*([0-9][0-9.]*)")
@@ -57,6 +64,7 @@ class Extra:
     name: str
     purpose: str
     libraries: tuple[Library, ...]
+    install: str = ""  # what to type where no extra of ours brings it
 
     @property
     def is_there(self) -> bool:
@@ -70,13 +78,18 @@ class Extra:
 
 
 def survey(thorough: bool = False) -> list[Extra]:
-    """The core and every extra, with what is installed of it; ``thorough`` imports it all."""
+    """The core, every extra and what is beside them, with what is installed of it; ``thorough`` imports the extras."""
     wanted = requirements(requires_of())
-    return [
+    extras = [
         Extra(name, purpose, tuple(_library(*each, thorough) for each in sorted(wanted.get(name, {}).items())))
         for name, purpose in PURPOSES.items()
         if name in wanted
     ]
+    beside = [
+        Extra(name, purpose, (_library(library, bounds, thorough=False),), install)
+        for name, (purpose, library, bounds, install) in BESIDE.items()
+    ]
+    return [*extras, *beside]
 
 
 def requires_of() -> list[str]:

@@ -19,6 +19,11 @@ def _policies(incomplete: str) -> list[str]:
     return [name for name in ("strict", "best") if name.startswith(incomplete)]
 
 
+def bodies(incomplete: str) -> list[str]:
+    """The bodies of the simulated robot that begin so; the simulator is not loaded for that."""
+    return [name for name in ("primitive", "tiago") if name.startswith(incomplete)]
+
+
 DomainName = Annotated[
     str,
     typer.Argument(help="A shipped domain (kitchen) or the folder of one.", metavar="DOMAIN", autocompletion=_domains),
@@ -49,6 +54,15 @@ Report = Annotated[
 Rerun = Annotated[
     Path | None,
     typer.Option("--rerun", metavar="FILE.rrd", help="Record it for Rerun's viewer, on one time line (needs [rerun])."),
+]
+Robot = Annotated[
+    str,
+    typer.Option(
+        "--robot",
+        metavar="BODY",
+        help="The simulated robot's body: primitive, or tiago (TIAGo++ itself, once its model is installed).",
+        autocompletion=bodies,
+    ),
 ]
 Quiet = Annotated[bool, typer.Option("--quiet", help="Print results only: no progress, no hints, of run the summary.")]
 SourceName = Annotated[

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from casper.cli.terminal.options import AsJson, Quiet
+from casper.cli.terminal.options import AsJson, Quiet, Robot
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -31,6 +31,7 @@ def experiment(
         int | None, typer.Option(metavar="N", help="How many trials; by default as many as the experiment takes.")
     ] = None,
     seed: Annotated[int, typer.Option(help="Of the first trial; the others have those after it.")] = 0,
+    robot: Robot = "primitive",
     jobs: Annotated[int, typer.Option(min=1, metavar="J", help="How many processes run trials.")] = 1,
     cluster: Annotated[str | None, typer.Option(metavar="URL", help="Run on a Dask cluster: tcp://host:8786.")] = None,
     out: Annotated[Path, typer.Option(metavar="DIR", help="Where data, figures and page go.")] = Path("experiments"),
@@ -63,7 +64,7 @@ def experiment(
         return
     shown = not quiet and sys.stderr.isatty()
     where = Where(out, jobs, cluster, fresh, redraw, page, shown)
-    for one, data, files in run_experiments(names, where, trials, seed):
+    for one, data, files in run_experiments(names, where, trials, seed, robot):
         for row in data.summary if as_json else ():
             print_json({"experiment": one.name, **row})
         if not as_json and not quiet:

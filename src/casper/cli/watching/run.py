@@ -22,6 +22,7 @@ from casper.cli.terminal.options import (
     Record,
     Report,
     Rerun,
+    Robot,
     Speed,
     Unverified,
 )
@@ -57,6 +58,7 @@ def run(
     seed: Annotated[int, typer.Option(help="Of the start, the partner's pace and the sensor's noise.")] = 0,
     no_verification: Unverified = False,
     no_robot: Annotated[bool, typer.Option("--no-robot", help="Watch and predict only.")] = False,
+    robot: Robot = "primitive",
     policy: PolicyName = "strict",
     noise: Noise = None,
     goals: Goals = 1,
@@ -128,7 +130,7 @@ def run(
         check_recording(record)
     if rerun is not None:
         check_rrd(rerun)
-    trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind, certainty, partner))
+    trial = Trial(loaded, TrialSettings(*day, goals_in_a_row, changes_mind, certainty, partner, robot))
     out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
     header = header_of(loaded, language, trial.minds.choices, seed)
     keep_loaded()

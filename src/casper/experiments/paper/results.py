@@ -25,7 +25,7 @@ def work(asked: Asked, ran: Ran) -> Data:
     found = ran(trials(asked))
     goals = list(dict.fromkeys(row["trial"]["goal"] for row in found))
     summary = [row_of(goal, [row for row in found if row["trial"]["goal"] == goal]) for goal in goals]
-    about = {"trials": len(found), "first seed": asked.seed, "broken off": sum(bool(row["mistake"]) for row in found)}
+    about = {"trials": len(found), **asked.first, "broken off": sum(bool(row["mistake"]) for row in found)}
     printed = {goal: row.seconds for goal, row in KITCHEN.items()}
     return Data("results", about, summary, [flat(row) for row in found], {"printed": printed})
 

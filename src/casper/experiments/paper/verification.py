@@ -40,7 +40,7 @@ def work(asked: Asked, ran: Ran) -> Data:
     rows = [_pair(verified, other) for verified, other in zip(found[::2], found[1::2])]
     goals = list(dict.fromkeys(row["goal"] for row in rows))
     summary = [_row(goal, [row for row in rows if goal in (row["goal"], ALL)]) for goal in (*goals, ALL)]
-    return Data("verification", {"pairs": len(rows), "first seed": asked.seed}, summary, rows)
+    return Data("verification", {"pairs": len(rows), **asked.first}, summary, rows)
 
 
 def _pair(verified: Mapping[str, Any], other: Mapping[str, Any]) -> Row:

@@ -27,7 +27,7 @@ def work(asked: Asked, ran: Ran) -> Data:
     """A row a value."""
     rows = [flat(row) for row in ran(trials(asked))]
     summary = [_row(value, [row for row in rows if row["certainty"] == value]) for value in VALUES]
-    about = {"trials a value": asked.count(TRIALS), "first seed": asked.seed, "partner": MIXED}
+    about = {"trials a value": asked.count(TRIALS), **asked.first, "partner": MIXED}
     return Data("certainty", about, summary, rows)
 
 

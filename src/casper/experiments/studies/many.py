@@ -34,7 +34,7 @@ def work(asked: Asked, ran: Ran) -> Data:
     goals = [*dict.fromkeys(row["goal"] for row in rows), ALL]
     summary = [{"goal": goal, **counted([row for row in rows if goal in (row["goal"], ALL)])} for goal in goals]
     failed = [row for row in rows if not is_good(row)]
-    return Data("many", {"trials": len(rows), "first seed": asked.seed}, summary, rows, {"failed": failed})
+    return Data("many", {"trials": len(rows), **asked.first}, summary, rows, {"failed": failed})
 
 
 def is_good(row: Row) -> bool:

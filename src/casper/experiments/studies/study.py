@@ -40,7 +40,7 @@ def _experiment(
             helped, alone = (_take(found, len(part)) for part in _both(asked, condition, number))
             rows += [_row(condition, one, other) for one, other in zip(helped, alone)]
         summary = [_summary(condition, rows) for condition in conditions()]
-        about = {"trials a condition": asked.count(number), "first seed": asked.seed, "conditions": len(summary)}
+        about = {"trials a condition": asked.count(number), **asked.first, "conditions": len(summary)}
         factors = {factor: list(levels) for factor, levels in FACTORS.items()}
         return Data(name, about, summary, rows, {"factors": factors})
 

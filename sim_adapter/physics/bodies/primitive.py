@@ -1,22 +1,27 @@
-"""The robot's body: an actuated mobile base, torso lift, arm, two-finger gripper, and a head with a camera."""
+"""The primitive body: an actuated mobile base, torso lift, arm, two-finger gripper, and a head with a camera."""
 
 from __future__ import annotations
 
 import math
 from typing import Any
 
+from casper.sim_adapter.physics.bodies.body import Body, Reach, eye_name
 from casper.sim_adapter.physics.parts import (
     BASE_BITS,
     FINGER_BITS,
     NO_BITS,
     ROBOT,
+    add_base,
     add_geom,
     add_limb,
     add_servo_hinge,
     rgba,
 )
-from casper.sim_adapter.room.scene import Scene
+from casper.sim_adapter.room.placement import Spot
+from casper.sim_adapter.room.scene import BODY, Scene
 
+HOME: Spot = (0.42, 0.0, 1.18)
+ABOVE = 0.17  # the shoulder works best this far above the wrist
 SHOULDER_X, SHOULDER_Z = 0.14, 0.82  # shoulder in the base frame with the lift down
 LIFT_RANGE = (0.0, 0.35)
 UPPER, FORE, TOOL = 0.34, 0.33, 0.16  # arm links, and wrist to fingertips
@@ -27,18 +32,10 @@ ARM = ("arm_yaw", "arm_lift", "arm_elbow", "arm_wrist", "arm_roll")
 DARK, LIGHT, BLUE = rgba(0.2, 0.2, 0.22), rgba(0.92, 0.92, 0.92), rgba(0.25, 0.4, 0.7)
 
 
-def eye_name(robot: str) -> str:
-    """Name of the camera, and of the site it sits at."""
-    return f"{robot}:eye"
-
-
-def add_robot(spec: Any, scene: Scene) -> None:
-    """The whole robot; joints and servos are ``<agent>:<name>``, the gripper is ``<agent>:hand``."""
+def add_primitive(spec: Any, scene: Scene) -> None:
+    """The whole body."""
     name = scene.robot
-    base = spec.worldbody.add_body(name=name)
-    add_servo_hinge(spec, base, f"{name}:x", (1, 0, 0), kp=6000, slide=True, force=800, armature=1.0)
-    add_servo_hinge(spec, base, f"{name}:y", (0, 1, 0), kp=6000, slide=True, force=800, armature=1.0)
-    add_servo_hinge(spec, base, f"{name}:yaw", (0, 0, 1), kp=1500, force=300, armature=1.0)
+    base = add_base(spec, name)
     radius = scene.robot_settings.radius - 0.03
     add_geom(base, "cylinder", (radius, 0.13), (0, 0, 0.16), colour=DARK, group=ROBOT, bits=BASE_BITS, mass=40)
     add_geom(base, "box", (0.1, 0.13, 0.25), (-0.06, 0, 0.5), colour=LIGHT, group=ROBOT, bits=NO_BITS, mass=8)
@@ -97,3 +94,47 @@ def _add_finger(spec: Any, hand: Any, name: str, sign: int) -> None:
     add_servo_hinge(spec, finger, name, (0, 0, -sign), kp=400, limits=(0.0, OPEN), slide=True, force=8, armature=0.1)
     size, pos = (0.04, 0.012, FINGER), (0.04, 0, 0)
     add_geom(finger, "box", size, pos, colour=DARK, group=ROBOT, bits=FINGER_BITS, mass=0.05)
+
+
+# --- how it reaches -------------------------------------------------------------------------------------------------
+
+
+def arm_angles(tool: Spot, lift: float, roll: float = 0.0) -> tuple[float, float, float, float, float] | None:
+    """Joint angles that bring the fingertips, pointing down, to a point of the base frame; None: out of reach.
+
+    Two links in the vertical plane of the arm, elbow up, the wrist making the hand vertical.
+    """
+    dx, dy, rise = tool[0] - SHOULDER_X, tool[1], tool[2] + TOOL - SHOULDER_Z - lift
+    out = math.hypot(dx, dy)
+    far = math.hypot(out, rise)
+    if not abs(UPPER - FORE) + 0.08 < far < UPPER + FORE - 0.003:
+        return None
+    at_shoulder = math.acos((UPPER**2 + far**2 - FORE**2) / (2 * UPPER * far))
+    at_elbow = math.acos((UPPER**2 + FORE**2 - far**2) / (2 * UPPER * FORE))
+    raised = -(math.atan2(rise, out) + at_shoulder)
+    bent = math.pi - at_elbow
+    return math.atan2(dy, dx), raised, bent, math.pi / 2 - raised - bent, roll
+
+
+def best_lift(height: float) -> float:
+    """The lift at which the arm works best with the fingertips at a height."""
+    return max(LIFT_RANGE[0], min(LIFT_RANGE[1], height + TOOL + ABOVE - SHOULDER_Z))
+
+
+def _reach(model: Any, robot: str) -> Reach:
+    """Where the arm was does not matter to it."""
+    return arm_angles
+
+
+PRIMITIVE = Body(
+    name=BODY,
+    check=bool,
+    add=add_primitive,
+    reach=_reach,
+    arm=ARM,
+    home=HOME,
+    carry_clear=0.95,
+    best_lift=best_lift,
+    eye_height=SHOULDER_Z + best_lift(HOME[2]) + HEAD_Z,
+    opening=OPEN,
+)
