@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from pathlib import Path
 
-from casper.engine.domain.check_plans import plans_nobody_can_do
 from casper.engine.domain.check_settings import wrong_settings
 from casper.engine.domain.domain import FILES, ONTOLOGY, SHIPPED, Domain, build, find_domain
 from casper.engine.domain.examples import TESTS, examples_of, failure
 from casper.engine.domain.relations import SHARING_NAMES, SYSTEM_RELATIONS
+from casper.engine.domain.trying.plans import plans_nobody_can_do
 from casper.engine.perception.remembering.asked import ASKED
 from casper.engine.perception.remembering.checking import misread_memories
 from casper.kb.checks.check import Context, check_sentences

@@ -1,4 +1,4 @@
-"""Plans nobody can do: the knowledge base lets no agent take one of their steps.
+"""Plans that are listed, each tried out step by step.
 
 Each step is tried by itself, at the best moment the plan allows: once with as much done before it as possible, and once
 with as little. So what is reported is impossible indeed; what only goes wrong through the order of several steps is not
@@ -9,22 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import partial
 from itertools import count, islice
 from typing import TypeAlias
 
 from casper.engine.domain.domain import Domain
+from casper.engine.domain.trying.obstacle import ANYBODY, Obstacle
 from casper.engine.verification.conditions import Conditions
 from casper.engine.verification.history import in_plan_order
-from casper.engine.verification.matching import ROBOT
 from casper.kb.checks.finding import Finding, error, note, warning
-from casper.kb.errors import BudgetExceeded, CasperError, Place
+from casper.kb.errors import BudgetExceeded, CasperError
 from casper.kb.reasons.why_not import Refusal
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, Variable, as_term
+from casper.kb.terms.terms import Compound, as_term
 from casper.kb.terms.unification import Bindings, substitute, unify
-from casper.plans.grammar.shapes import BY, items_in
 from casper.plans.library import GOAL
 from casper.plans.trees.chart import bits, union
 from casper.plans.trees.nodes import Action, Condition, Node, Shape
@@ -33,25 +31,7 @@ from casper.plans.trees.plan import Plan
 MOST_PLANS = 500  # looked at
 MOST_TRIED = 2_000  # steps tried of one plan, over all values of its parameters
 MOST_VALUES = 50  # of a goal's parameters
-_ANYBODY = Variable("Anybody", -1)
-
-
-@dataclass(frozen=True, slots=True)
-class _Obstacle:
-    """A step that is not valid, or a condition that never holds, and why; without both it is the goal itself."""
-
-    step: Compound | None
-    place: Place
-    reasons: tuple[str, ...]
-    condition: str = ""
-
-    def __str__(self) -> str:
-        shown = "" if self.step is None else f"nobody can do {term_text(as_term(self.step))}, because "
-        shown = f"{self.condition} never holds, because " if self.condition else shown
-        return f"{shown}{'; '.join(self.reasons)}"
-
-
-Row: TypeAlias = list[_Obstacle | None]  # by leaf, or by value of the goal's parameters
+Row: TypeAlias = list[Obstacle | None]  # by leaf, or by value of the goal's parameters
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,18 +48,13 @@ class _Judged:
         return self.node.kind if isinstance(self.node, Shape) else "sequence"
 
     @property
-    def obstacle(self) -> _Obstacle | None:
+    def obstacle(self) -> Obstacle | None:
         """The first obstacle, if there is one whatever the parameters are."""
         return self.row[0] if self.row and all(self.row) else None
 
 
-def plans_nobody_can_do(domain: Domain) -> Iterator[Finding]:
+def listed_plans(domain: Domain) -> Iterator[Finding]:
     """Goals that cannot be pursued, parts that cannot be done, and steps at which the partner is never seen."""
-    yield from _strangers(domain)
-    if not domain.library.is_listed:
-        sentence = "these plans have no end or are too many to be listed, so whether anybody can do them was not tried"
-        yield note(domain.library.productions[0].place, sentence)
-        return
     ways = domain.library.ways
     plans = ways[:MOST_PLANS]
     if len(ways) > len(plans):
@@ -97,19 +72,6 @@ def plans_nobody_can_do(domain: Domain) -> Iterator[Finding]:
             yield error(each.plan.place, f"the goal {label} cannot be pursued: {obstacle}")
 
 
-def _strangers(domain: Domain) -> Iterator[Finding]:
-    """Steps of agents who are not in the world."""
-    agents = {str(row[0]) for kind in ("human", "robot", "agent") for row in domain.kb.rows(kind, 1)}
-    agents |= {domain.partner, domain.robot}
-    for production in domain.library.productions:
-        for item in items_in(production.body):
-            who = item[1] if isinstance(item, Compound) and item.indicator == BY else None
-            if isinstance(who, str) and who != ROBOT and who not in agents:
-                close = get_close_matches(who, sorted(agents), n=1)
-                hint = f"did you mean {close[0]}?" if close else f"the agents are {', '.join(sorted(agents))}"
-                yield error(production.place, f"{who} of {term_text(item)} is no agent of this world; {hint}")
-
-
 class _Tried:
     """A plan whose steps were tried with every value of the goal's parameters."""
 
@@ -117,7 +79,7 @@ class _Tried:
         self.domain, self.plan = domain, plan
         self.values: list[Bindings] = []
         self.rows: list[Row] = []
-        self.obstacle: _Obstacle | None = None
+        self.obstacle: Obstacle | None = None
         self.root = _Judged(plan.root, [])
         try:
             self.values = list(islice(_values(domain, plan), max(1, min(MOST_VALUES, MOST_TRIED // len(plan.leaves)))))
@@ -128,7 +90,7 @@ class _Tried:
         except BudgetExceeded:
             pass  # a search without an end keeps nobody from anything
         except CasperError as mistake:
-            self.obstacle = _Obstacle(None, mistake.place or plan.place, (mistake.sentence,))
+            self.obstacle = Obstacle(None, mistake.place or plan.place, (mistake.sentence,))
 
     def impossible_parts(self) -> Iterator[Finding]:
         """Alternatives and optional parts that nobody can do."""
@@ -189,10 +151,10 @@ def _values(domain: Domain, plan: Plan) -> Iterator[Bindings]:
             yield bindings
 
 
-def _forbidden(domain: Domain, plan: Plan) -> _Obstacle:
+def _forbidden(domain: Domain, plan: Plan) -> Obstacle:
     refusal = domain.kb.why_not(Compound(("goal", as_term(plan.goal))))
     reasons = refusal.reasons if refusal is not None else ("no value of its parameters makes it a goal",)
-    return _Obstacle(None, plan.place, reasons)
+    return Obstacle(None, plan.place, reasons)
 
 
 def _refusals(domain: Domain, plan: Plan, values: Bindings, agent: str | None) -> Row:
@@ -201,13 +163,13 @@ def _refusals(domain: Domain, plan: Plan, values: Bindings, agent: str | None) -
     done = [Compound((step.functor, domain.partner, *step.args)) for step in steps]
     found: Row = []
     for leaf, step in enumerate(steps):
-        claim, refusal = Compound((step.functor, agent or _ANYBODY, *step.args)), None
+        claim, refusal = Compound((step.functor, agent or ANYBODY, *step.args)), None
         for before in _moments(plan, leaf) if domain.kb.depends_on_history else [0]:
             verdict = domain.kb.verify(claim, in_plan_order(done, before, plan.chart.before))
             if verdict.valid is not False:
                 refusal = None
                 break
-            refusal = refusal or _Obstacle(step, plan.actions[leaf].place, verdict.reasons)
+            refusal = refusal or Obstacle(step, plan.actions[leaf].place, verdict.reasons)
         found.append(refusal)
     return found
 
@@ -218,7 +180,7 @@ def _never(conditions: Conditions, values: Sequence[Bindings], condition: Condit
     for bindings in values:
         answer = None if conditions.looks_back(condition.term) else conditions.ask(condition.term, bindings, ())
         told = answer.reasons if isinstance(answer, Refusal) else None
-        found.append(None if told is None else _Obstacle(None, condition.place, told, condition.term.functor))
+        found.append(None if told is None else Obstacle(None, condition.place, told, condition.term.functor))
     return found
 
 
