@@ -18,7 +18,8 @@ from flood import domain
 
 from casper.engine.domain.domain import Domain
 from casper.engine.episodes.networks.asking import Asking
-from casper.engine.episodes.networks.networks import Networks, State
+from casper.engine.episodes.networks.networks import Networks
+from casper.engine.episodes.networks.state import State
 from casper.engine.live.memory import keep_loaded
 from casper.engine.verification.observation import observation_of
 

@@ -10,14 +10,15 @@ from typing import Any
 from casper.engine.domain.agents import agent_of, partners_of
 from casper.engine.domain.remembered import Remembered
 from casper.engine.episodes.day import Day
-from casper.engine.episodes.enumerated import MOST_MISSED, Enumerated
+from casper.engine.episodes.enumerated import Enumerated
 from casper.engine.episodes.growing import Growing
 from casper.engine.episodes.hypotheses.growth import Bounds
 from casper.engine.episodes.networks.asking import Asking
-from casper.engine.episodes.networks.networks import MOST_MISSED as MOST_MISSED_OF_ENDLESS
+from casper.engine.episodes.networks.going import MOST_MISSED as MOST_MISSED_OF_ENDLESS
 from casper.engine.episodes.networks.networks import Networks
 from casper.engine.episodes.networks.reading import GrownReading
 from casper.engine.episodes.prices import Prices, prices_of
+from casper.engine.episodes.taking import MOST_MISSED
 from casper.engine.explanation.situation import Situation
 from casper.engine.reading.policy import Policy, policy_named
 from casper.engine.reading.priors import priors_of

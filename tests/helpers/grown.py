@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from casper.engine.episodes.networks.asking import Asking
-from casper.engine.episodes.networks.networks import Networks, State
+from casper.engine.episodes.networks.networks import Networks
+from casper.engine.episodes.networks.state import State
 from casper.engine.verification.observation import Observation, observation_of
 from casper.kb.base import KnowledgeBase
 from casper.plans.library import PlanLibrary

@@ -10,7 +10,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import inf
 
 from casper.engine.episodes.networks.items.terms import ACT, PAR, SEQ, Row, outward
-from casper.engine.episodes.networks.networks import Networks, State
+from casper.engine.episodes.networks.networks import Networks
+from casper.engine.episodes.networks.state import State
 from casper.engine.reading.outlook import shown
 from casper.engine.reading.questions import Kind, Question, ranked
 from casper.kb.terms.terms import Compound

@@ -13,7 +13,8 @@ from heapq import nlargest
 from typing import Any, NamedTuple, TypeAlias
 
 from casper.engine.episodes.networks.derivation import as_task
-from casper.engine.episodes.networks.networks import Networks, State
+from casper.engine.episodes.networks.networks import Networks
+from casper.engine.episodes.networks.state import State
 from casper.engine.explanation.explanation import Explanation
 from casper.engine.recognition.kernels.paths import best_first
 from casper.engine.recognition.options import Options
