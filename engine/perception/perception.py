@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from operator import itemgetter
 
+from casper.engine.events.records import setters
 from casper.engine.perception.world import Doubt, WorldState
 from casper.engine.settings import Rows, number, read_settings, require
 from casper.kb.errors import WorldStateError
@@ -64,7 +65,7 @@ def perception_settings(rows: Rows) -> PerceptionSettings:
     return read_settings(PerceptionSettings, rows, "perception", bands=bands or BANDS)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, init=False)
 class Relations:
     """The qualitative relations of one agent at one moment; every mapping is by object.
 
@@ -82,6 +83,31 @@ class Relations:
     angle: Mapping[str, float]
     doubt: Doubt | None = None
     gaps: Mapping[str, float] | None = None
+
+    def __init__(
+        self,
+        t: float,
+        agent: str,
+        moving: bool | None,
+        holding: str | None,
+        qdc: Mapping[str, str],
+        qtc: Mapping[str, str | None],
+        angle: Mapping[str, float],
+        doubt: Doubt | None = None,
+        gaps: Mapping[str, float] | None = None,
+    ) -> None:
+        _t(self, t)
+        _agent(self, agent)
+        _moving(self, moving)
+        _holding(self, holding)
+        _qdc(self, qdc)
+        _qtc(self, qtc)
+        _angle(self, angle)
+        _doubt(self, doubt)
+        _gaps(self, gaps)
+
+
+_t, _agent, _moving, _holding, _qdc, _qtc, _angle, _doubt, _gaps = setters(Relations)
 
 
 def calculi(settings: PerceptionSettings) -> tuple[Qdc, QtcB11, Mos]:
@@ -107,8 +133,10 @@ class Perception:
         self._watcher.reset()
         self._t = None
 
-    def update(self, world: WorldState) -> Relations | None:
+    def update(self, world: WorldState, tracked: bool = False) -> Relations | None:
         """The relations at this moment, or None when the agent is absent.
+
+        What a tracker (``tracked``) has been through has things where they can be; agents are looked at all the same.
 
         After an absence the next step is a first step again: MOS and QTC are not taken across the gap
         (bridging one is the tracker's work). Distances are in the plane, since an agent has no height.
@@ -116,7 +144,10 @@ class Perception:
         Raises:
             WorldStateError: time that does not advance, or a coordinate that is not finite.
         """
-        check_world(self._t, world)
+        check_time(self._t, world.t)
+        check_agents(world)
+        if not tracked:
+            check_things(world)
         dt, self._t = world.t - (self._t or 0.0), world.t
         agent = world.agents.get(self.agent)
         if agent is None:
@@ -147,18 +178,34 @@ def check_world(before: float | None, world: WorldState) -> None:
         WorldStateError: time that is not finite or does not advance (the sentence names both times), or a
             coordinate that is not finite (it names the object or agent, and the time).
     """
-    t, large = world.t, LARGEST
+    check_time(before, world.t)
+    check_agents(world)
+    check_things(world)
+
+
+def check_time(before: float | None, t: float) -> None:
+    """The first part of `check_world`."""
     if not math.isfinite(t):
         raise WorldStateError(f"the time of a world state must be finite, not {t}")
     if before is not None and t <= before:
         raise WorldStateError(f"time must advance from one world state to the next: t={t:g} came after t={before:g}")
+
+
+def check_agents(world: WorldState) -> None:
+    """The second part of `check_world`."""
+    large = LARGEST
     for name, agent in world.agents.items():
         if not (-large < agent.x < large and -large < agent.y < large and -large < agent.heading < large):
-            raise WorldStateError(f"agent {name} has {_unusable(agent.x, agent.y, agent.heading)} at t={t:g}")
+            raise WorldStateError(f"agent {name} has {_unusable(agent.x, agent.y, agent.heading)} at t={world.t:g}")
+
+
+def check_things(world: WorldState) -> None:
+    """The third part of `check_world`."""
+    large = LARGEST
     for name, thing in world.objects.items():
         z = thing.z
         if not (-large < thing.x < large and -large < thing.y < large and (z is None or -large < z < large)):
-            raise WorldStateError(f"{name} has {_unusable(thing.x, thing.y, z or 0.0)} at t={t:g}")
+            raise WorldStateError(f"{name} has {_unusable(thing.x, thing.y, z or 0.0)} at t={world.t:g}")
 
 
 def _unusable(*numbers: float) -> str:
