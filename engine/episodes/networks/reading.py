@@ -51,7 +51,7 @@ class GrownReading(Reading):
         options.check()
         if options.goals > 1:
             sentence = "plans that are not listed are read one goal at a time here"
-            raise CasperError(f"{sentence}: several at once are read by domain.day()")
+            raise CasperError(f"{sentence}: several at once are read by domain.day(), or casper explain --changes")
         self.library, self.policy, self.options = library, policy, options
         self._actions = list(library.actions)
         self._capability = capability
