@@ -8,7 +8,7 @@ from sensors import ALONE, DEFAULT, FAMILIES, Family
 from casper.experiments.figures.style import OTHERS, canvas
 from casper.experiments.statistics import share_interval
 
-SHOWN = (("right", "right goal", "o", 0), ("helped", "help finished", "s", 1))
+SHOWN = (("right", "right goal", "o", 9, 0), ("helped", "help finished", "s", 4, 1))  # size in points, colour
 
 
 def figure(rows: Sequence[Mapping[str, Any]]) -> Any:
@@ -31,7 +31,7 @@ def figure(rows: Sequence[Mapping[str, Any]]) -> Any:
     legend.legend(*both.get_legend_handles_labels(), loc="center", frameon=False)
     for axes in panels[::4]:
         axes.set_ylabel("share of trials")
-    panels[0].set_ylim(0.0, 1.03)
+    panels[0].set_ylim(0.0, 1.06)
     return drawn
 
 
@@ -47,11 +47,11 @@ def _panel(axes: Any, family: Family, counts: Mapping[str, Mapping[str, Any]]) -
 
 
 def _points(axes: Any, points: Sequence[tuple[float, Mapping[str, Any]]], line: bool) -> None:
-    for name, label, marker, colour in SHOWN:
+    for name, label, marker, size, colour in SHOWN:
         shares = [row[name] / row["trials"] for _, row in points]
         ends = [share_interval(row[name], row["trials"]) for _, row in points]
         low = [max(share - end[0], 0.0) for share, end in zip(shares, ends)]
         high = [max(end[1] - share, 0.0) for share, end in zip(shares, ends)]
-        style = {"linestyle": "-" if line else "none", "capsize": 2, "linewidth": 1.2, "markersize": 4}
-        where = [x for x, _ in points]
-        axes.errorbar(where, shares, [low, high], marker=marker, color=OTHERS[colour], label=label, **style)
+        style = {"linestyle": "-" if line else "none", "linewidth": 1.2, "capsize": size / 2}
+        style |= {"marker": marker, "markersize": size, "fillstyle": "none" if size > 5 else "full"}
+        axes.errorbar([x for x, _ in points], shares, [low, high], color=OTHERS[colour], label=label, **style)

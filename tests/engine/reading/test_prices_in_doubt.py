@@ -77,3 +77,15 @@ def test_a_first_action_that_was_misread_is_outweighed_by_those_that_follow():
 def test_a_price_that_is_none_is_refused_before_anything_is_watched():
     with pytest.raises(DomainError, match="a price is a number above 0 and below 1"):
         Mind(altered(KITCHEN, {"plans.needless": 2.0}))
+
+
+@pytest.mark.parametrize("more", ["more --> close.", "more --> put, more. more --> close."], ids=["listed", "endless"])
+def test_a_reading_that_is_read_anew_has_what_was_observed_and_the_price(more):
+    plans = f"goal(tidy). goal(cook). tidy --> put, more. {more} cook --> stir, serve."
+    reading = Domain.from_text(plans=plans).reading()
+    reading.observe("put")
+    again = reading.reread(0.1)
+    assert again.observations == reading.observations and again.posterior == reading.posterior
+    again.observe("stir")
+    reading.observe("stir")
+    assert again.posterior == {"tidy": 0.5, "cook": 0.5} and not any(reading.posterior.values())
