@@ -143,11 +143,10 @@ class Handling:
 
     def _at_rest(self, x: float, y: float, z: float, noise: float, near: Near | None) -> tuple[float, Belief]:
         """How likely the detection is when it rests, and where it then is: as before, put back, or put down anew."""
-        rest = self.rest
         if self.carried < SURE_FREE or near is None:
-            return density(rest, x, y, z, noise), corrected(rest, x, y, z, noise)
+            return likeliest(((1.0, self.rest),), x, y, z, noise)
         anew = (near.x, near.y, self.hand[2], ARM)
-        return likeliest(((STAYS, rest), (BACK, self.home), (ANEW, anew)), x, y, z, noise)
+        return likeliest(((STAYS, self.rest), (BACK, self.home), (ANEW, anew)), x, y, z, noise)
 
     def _in_hand(
         self, x: float, y: float, z: float, noise: float, dt: float, near: Near | None
@@ -189,36 +188,17 @@ class Handling:
         """The same of any moment."""
         rest = hand = 1.0  # likelihoods of what came later
         lies = True  # from then on
-        ahead: Moment | None = None
-        for moment in reversed(self.moments):
-            if ahead is not None:
-                _, at_rest, in_hand, taken, put, *_ = ahead
-                at_rest, in_hand = at_rest * rest, in_hand * hand
-                rest, hand = (1 - taken) * at_rest + taken * in_hand, put * at_rest + (1 - put) * in_hand
-                top = rest if rest >= hand else hand
-                rest, hand = (rest / top, hand / top) if top > 0.0 else (1.0, 1.0)
-            carried = moment[5]
+        for at, at_rest, in_hand, taken, put, carried, resting, held, by in reversed(self.moments):
             lies = lies and carried < 0.5
-            if moment[0] <= t:
+            if at <= t:
                 share = carried * hand / (carried * hand + (1 - carried) * rest)
-                x, y, z, _ = self.rest if lies else moment[6] if share < 0.5 else moment[7]
-                return share, ObjectState(x, y, None if self.flat else z), moment[8]
-            ahead = moment
+                x, y, z, _ = self.rest if lies else resting if share < 0.5 else held
+                return share, ObjectState(x, y, None if self.flat else z), by
+            at_rest, in_hand = at_rest * rest, in_hand * hand
+            rest, hand = (1 - taken) * at_rest + taken * in_hand, put * at_rest + (1 - put) * in_hand
+            top = rest if rest >= hand else hand
+            rest, hand = (rest / top, hand / top) if top > 0.0 else (1.0, 1.0)
         return None
-
-
-def density(belief: Belief, x: float, y: float, z: float, noise: float) -> float:
-    """How likely a detection there is."""
-    own_x, own_y, own_z, variance = belief
-    dx, dy, dz, s = x - own_x, y - own_y, z - own_z, variance + noise
-    return float(exp(-0.5 * (dx * dx + dy * dy + dz * dz) / s) * (TWO_PI * s) ** -1.5)
-
-
-def corrected(belief: Belief, x: float, y: float, z: float, noise: float) -> Belief:
-    """After a detection."""
-    own_x, own_y, own_z, variance = belief
-    k = variance / (variance + noise)
-    return own_x + k * (x - own_x), own_y + k * (y - own_y), own_z + k * (z - own_z), (1 - k) * variance
 
 
 def likeliest(
@@ -234,4 +214,6 @@ def likeliest(
         if weight > most:
             most, found = weight, way
     assert found is not None
-    return total, corrected(found, x, y, z, noise)
+    own_x, own_y, own_z, variance = found
+    k = variance / (variance + noise)
+    return total, (own_x + k * (x - own_x), own_y + k * (y - own_y), own_z + k * (z - own_z), (1 - k) * variance)

@@ -54,20 +54,20 @@ class Gauge:
         """The quality after one more world state."""
         if self._t is not None:
             self._periods.append(world.t - self._t)
-        self._t, now, before = world.t, world.objects, self._before
+        self._t, now, before, earlier = world.t, world.objects, self._before, self._earlier
+        squares, gaps = self._squares, self._gaps
         for name, thing in now.items():
             was = before.get(name)
             if was is not None:
                 dx, dy = thing.x - was.x, thing.y - was.y
-                self._squares.append((dx * dx + dy * dy) / 2.0)
-            if name in self._earlier:
-                self._gaps.append(was is None)
+                squares.append((dx * dx + dy * dy) / 2.0)
+            if name in earlier:
+                gaps.append(was is None)
         self._earlier, self._before = before, now
         self._look_for(world.agents)
         self._count += 1
-        if len(self._squares) == KEPT and self._count % OFTEN:
-            return self.quality
-        self.quality = Quality(self._noise(), sum(self._gaps) / (len(self._gaps) + PRIOR), self._period())
+        if self._count % OFTEN == 0 or len(squares) < KEPT:
+            self.quality = Quality(self._noise(), sum(gaps) / (len(gaps) + PRIOR), self._period())
         return self.quality
 
     def _look_for(self, now: Collection[str]) -> None:

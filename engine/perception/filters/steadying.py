@@ -35,6 +35,8 @@ AROUND = 8 * LOOKS  # what is farther away counts for nothing
 
 Look: TypeAlias = tuple[float, float, float]
 """When a heading was sensed, its sine and its cosine."""
+Present: TypeAlias = tuple[str, float, float]
+"""Somebody's name and where they are, x and y in metres."""
 
 
 @dataclass
@@ -46,6 +48,13 @@ class _Person:
     told: AgentState | None = None
     stood: int = 0
     middle: tuple[float, float] = (0.0, 0.0)
+
+    def near(self, name: str) -> Near:
+        """Where somebody is, and how fast they go if they do."""
+        motion = self.way.nodes[-1]
+        if motion.pace > _walks_from(motion):
+            return Near(name, motion.x, motion.y, motion.vx, motion.vy)
+        return Near(name, motion.x, motion.y, 0.0, 0.0)
 
 
 class Steadier:
@@ -116,12 +125,14 @@ class Steadier:
     def _mark(self, t: float) -> None:
         for person in self._people.values():
             person.way.mark(t)
-        people = self._present(t)
+        present = self._present(t)
         for thing in self._things.values():
             x, y, _, _ = thing.hand
-            near = nearest(x, y, people)
-            if near is not None or thing.carried > QUIET:  # else it is as at the moment before
-                thing.update(t, near, None, 1.0, (1.0, 1.0))
+            name = nearest(x, y, present)
+            if name is not None:
+                thing.update(t, self._people[name].near(name), None, 1.0, (1.0, 1.0))
+            elif thing.carried > QUIET:  # else it is as at the moment before
+                thing.update(t, None, None, 1.0, (1.0, 1.0))
 
     def _sense(self, world: WorldState, noise: float) -> None:
         t, variance, objects, agents = world.t, noise * noise, world.objects, world.agents
@@ -132,29 +143,26 @@ class Steadier:
             person.way.seen(t, agent.x, agent.y, variance)
             person.looks.append((t, math.sin(agent.heading), math.cos(agent.heading)))
         holder = {agent.holding: name for name, agent in agents.items() if agent.holding is not None}
-        people, if_carried = self._present(t), told_if_carried(noise)
+        present, if_carried = self._present(t), told_if_carried(noise)
         self.jumps = []
         for name, thing in self._things.items():
-            seen, near = objects.get(name), None
-            if name in holder:
-                near = next(each for each in people if each.name == holder[name])
-            elif people:
-                x, y = (seen.x, seen.y) if seen is not None else thing.hand[:2]
-                near = nearest(x, y, people)
-            if near is None and thing.lies(t, seen, variance):
+            seen = objects.get(name)
+            x, y = (seen.x, seen.y) if seen is not None else thing.hand[:2]
+            by = holder.get(name) or nearest(x, y, present)
+            if by is None and thing.lies(t, seen, variance):
                 continue
-            is_telling = seen is not None and near is not None and near.name in agents
-            told = told_of_hand(if_carried, name in holder, is_telling)
+            near = None if by is None else self._people[by].near(by)
+            told = told_of_hand(if_carried, name in holder, seen is not None and by in agents)
             if thing.update(t, near, seen, variance, told):
                 self.jumps.append(name)
         for name, new in objects.items():
             if name not in self._things:
                 self._things[name] = Handling(t, new, variance, 0.5 if name in holder else 0.02)
 
-    def _present(self, t: float) -> list[Near]:
+    def _present(self, t: float) -> list[Present]:
         """Who was seen not long ago, and where they are."""
         return [
-            _gone(name, person.way.nodes[-1])
+            (name, *person.way.nodes[-1][1:3])
             for name, person in self._people.items()
             if t - person.looks[-1][0] <= self.bridge
         ]
@@ -218,23 +226,15 @@ class Steadier:
         return person.told.x + dx * share, person.told.y + dy * share
 
 
-def nearest(x: float, y: float, people: Iterable[Near]) -> Near | None:
+def nearest(x: float, y: float, present: Iterable[Present]) -> str | None:
     """Who may have something in the hand that is there (metres): the nearest within reach."""
     best, found = REACH, None
-    for each in people:
-        dx, dy = each.x - x, each.y - y
-        if -best < dx < best and -best < dy < best:
-            gap = math.hypot(dx, dy)
+    for name, own_x, own_y in present:
+        if -best < own_x - x < best:
+            gap = math.hypot(own_x - x, own_y - y)
             if gap < best:
-                best, found = gap, each
+                best, found = gap, name
     return found
-
-
-def _gone(name: str, motion: Motion) -> Near:
-    """Where somebody is, and how fast they go if they do."""
-    if motion.pace > _walks_from(motion):
-        return Near(name, motion.x, motion.y, motion.vx, motion.vy)
-    return Near(name, motion.x, motion.y, 0.0, 0.0)
 
 
 def _evidence(share: float, noise: float) -> float:
