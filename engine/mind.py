@@ -156,11 +156,14 @@ class Mind:
             CasperError: the mind was told to stop at an action that fits no plan, and there was one.
         """
         steady = self.tracker.steps(world)
-        return [*jumps(self.tracker, world.t), *(event for state in steady for event in self.notice(state))]
+        events = jumps(self.tracker, world.t)
+        for state in steady:
+            events += self.notice(state)
+        return events
 
     def notice(self, world: WorldState) -> list[Event]:
         """As `update`, of a world state that a tracker has been through."""
-        relations = self.perception.update(world)
+        relations = self.perception.update(world, tracked=True)
         if self._remembers:
             self.memories.update(self.partner, world.t, relations)
         found = self._unwatched.update(world) if self.doubting is None else ()
@@ -169,14 +172,16 @@ class Mind:
             return unseen
         focus = self.focus.update(relations)
         movement = self.movements.update(relations, focus)
-        events = [event.about(self.partner) for event in (focus_event(focus), movement_event(movement))]
+        events = [*unseen, focus_event(focus, self.partner), movement_event(movement, self.partner)]
         prediction, handled = self.actions.update(movement), self.handled.update(relations)
         if relations.doubt is not None:
             events += [event.about(self.partner) for event in self._doubt(focus, world, relations.doubt)]
         if prediction is not None:
             about = self._about(focus, world, handled)
             events += [event.about(self.partner) for event in self._consider(prediction, about, world)]
-        return [*unseen, *events, *self._put_elsewhere(relations, world)]
+        if self._assumed is not None:
+            events += self._put_elsewhere(relations, world)
+        return events
 
     def _infer(self, thing: str, place: str, t: float) -> Iterator[Event]:
         """A thing lies where nobody saw it brought: a step of a goal that was taken to be given up, perhaps."""

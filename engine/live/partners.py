@@ -49,7 +49,10 @@ class Partners:
         """
         tracker = self.first.tracker
         steady = tracker.steps(world)
-        return [*jumps(tracker, world.t), *(event for state in steady for event in self._noticed(state))]
+        events = jumps(tracker, world.t)
+        for state in steady:
+            events += self._noticed(state)
+        return events
 
     def _noticed(self, tracked: WorldState) -> list[Event]:
         events = [*self._met(tracked)]

@@ -107,8 +107,10 @@ class Perception:
         self._watcher.reset()
         self._t = None
 
-    def update(self, world: WorldState) -> Relations | None:
+    def update(self, world: WorldState, tracked: bool = False) -> Relations | None:
         """The relations at this moment, or None when the agent is absent.
+
+        What a tracker (``tracked``) has been through has things where they can be; agents are looked at all the same.
 
         After an absence the next step is a first step again: MOS and QTC are not taken across the gap
         (bridging one is the tracker's work). Distances are in the plane, since an agent has no height.
@@ -116,7 +118,10 @@ class Perception:
         Raises:
             WorldStateError: time that does not advance, or a coordinate that is not finite.
         """
-        check_world(self._t, world)
+        check_time(self._t, world.t)
+        check_agents(world)
+        if not tracked:
+            check_things(world)
         dt, self._t = world.t - (self._t or 0.0), world.t
         agent = world.agents.get(self.agent)
         if agent is None:
@@ -147,18 +152,34 @@ def check_world(before: float | None, world: WorldState) -> None:
         WorldStateError: time that is not finite or does not advance (the sentence names both times), or a
             coordinate that is not finite (it names the object or agent, and the time).
     """
-    t, large = world.t, LARGEST
+    check_time(before, world.t)
+    check_agents(world)
+    check_things(world)
+
+
+def check_time(before: float | None, t: float) -> None:
+    """The first part of `check_world`."""
     if not math.isfinite(t):
         raise WorldStateError(f"the time of a world state must be finite, not {t}")
     if before is not None and t <= before:
         raise WorldStateError(f"time must advance from one world state to the next: t={t:g} came after t={before:g}")
+
+
+def check_agents(world: WorldState) -> None:
+    """The second part of `check_world`."""
+    large = LARGEST
     for name, agent in world.agents.items():
         if not (-large < agent.x < large and -large < agent.y < large and -large < agent.heading < large):
-            raise WorldStateError(f"agent {name} has {_unusable(agent.x, agent.y, agent.heading)} at t={t:g}")
+            raise WorldStateError(f"agent {name} has {_unusable(agent.x, agent.y, agent.heading)} at t={world.t:g}")
+
+
+def check_things(world: WorldState) -> None:
+    """The third part of `check_world`."""
+    large = LARGEST
     for name, thing in world.objects.items():
         z = thing.z
         if not (-large < thing.x < large and -large < thing.y < large and (z is None or -large < z < large)):
-            raise WorldStateError(f"{name} has {_unusable(thing.x, thing.y, z or 0.0)} at t={t:g}")
+            raise WorldStateError(f"{name} has {_unusable(thing.x, thing.y, z or 0.0)} at t={world.t:g}")
 
 
 def _unusable(*numbers: float) -> str:

@@ -109,14 +109,14 @@ class Tracker:
         usual = self.update(world)
         if not steadies:
             return [usual]
-        self._gauge.update(world)
+        seen = self._gauge.update(world)
         self._recent.append(world)
-        if not self._is_poor():
+        if not self._is_poor(seen):
             self._last = world.t
             return [usual]
         chosen = self.settings
         self._steadier = Steadier(max(self._last, world.t - 100.0), chosen.pace, chosen.lag, chosen.agent_bridge)
-        return [w for recent in self._recent for w in self._steadier.update(recent, self.quality)]
+        return [w for recent in self._recent for w in self._steadier.update(recent, seen)]
 
     def _steadied(self, world: WorldState, steadier: Steadier) -> list[WorldState]:
         """Those that are told by now of a poor sensor; the last of them is the world as it is believed to be."""
@@ -127,9 +127,9 @@ class Tracker:
             self.latest = told[-1]
         return told
 
-    def _is_poor(self) -> bool:
+    def _is_poor(self, seen: Quality) -> bool:
         """Whether the sensor is too poor to be believed a state at a time."""
-        chosen, seen = self.settings, self.quality
+        chosen = self.settings
         return (
             (seen.noise or 0.0) > chosen.steady_noise
             or seen.lost > chosen.steady_lost
@@ -144,42 +144,39 @@ class Tracker:
         Raises:
             WorldStateError: time that does not advance, or a coordinate that is not finite.
         """
+        check_world(self._t, world)
+        self._t = world.t
         self.latest = self._tracked(world) if self.settings.enabled else world
         return self.latest
 
     def _tracked(self, world: WorldState) -> WorldState:
-        check_world(self._t, world)
-        self._t = world.t
+        """Things in the order of meeting, so that what follows is repeatable."""
         agents = self._track_agents(world)
         held = {a.holding: a for a in agents.values() if a.holding is not None}
-        objects = {name: self._track_object(name, world, held.get(name)) for name in self._names(world, held)}
+        seen, settings = world.objects, self.settings
+        objects = {name: track.update(seen.get(name), held.get(name), settings) for name, track in self._objects.items()}
+        for name in (*seen, *held):
+            if name not in objects:
+                objects[name] = self._met(name, seen.get(name), held.get(name))
         return WorldState(world.t, agents, objects)
 
     def _track_agents(self, world: WorldState) -> dict[str, AgentState]:
-        for name in world.agents:
+        t, agents, settings, seen = world.t, world.agents, self.settings, {}
+        for name in agents:
             if name not in self._agents:
                 self._agents[name] = _AgentTrack()
-        seen = {}
         for name, track in self._agents.items():
-            state = track.update(world.t, world.agents.get(name), self.settings)
+            state = track.update(t, agents.get(name), settings)
             if state is not None:
                 seen[name] = state
         return seen
 
-    def _names(self, world: WorldState, held: dict[str, AgentState]) -> list[str]:
-        """Every object ever met, in the order of meeting, so that what follows is repeatable."""
-        return list(dict.fromkeys((*self._objects, *world.objects, *held)))
-
-    def _track_object(self, name: str, world: WorldState, holder: AgentState | None) -> ObjectState:
-        seen = world.objects.get(name)
-        track = self._objects.get(name)
-        if track is None:
-            first = seen if seen is not None or holder is None else ObjectState(holder.x, holder.y)
-            assert first is not None  # a name comes from the world state or from a hand
-            track = self._objects[name] = _ObjectTrack(first)
-            track.held = holder is not None
-            return first
-        return track.update(seen, holder, self.settings)
+    def _met(self, name: str, seen: ObjectState | None, holder: AgentState | None) -> ObjectState:
+        first = seen if seen is not None or holder is None else ObjectState(holder.x, holder.y)
+        assert first is not None  # a name comes from the world state or from a hand
+        track = self._objects[name] = _ObjectTrack(first)
+        track.held = holder is not None
+        return first
 
 
 class _ObjectTrack:
@@ -194,29 +191,29 @@ class _ObjectTrack:
         self.held = False
 
     def update(self, seen: ObjectState | None, holder: AgentState | None, settings: TrackerSettings) -> ObjectState:
-        was_held, self.held = self.held, holder is not None
-        if holder is not None and seen is None:
-            seen = ObjectState(holder.x, holder.y, self.state.z)
+        state = self.state
+        if holder is not None or self.held:
+            self.held = holder is not None
+            if holder is not None and seen is None:
+                seen = ObjectState(holder.x, holder.y, state.z)
+            return state if seen is None else self._restarted(seen)
         if seen is None:
-            return self.state
-        if self.held or was_held:
-            self._restart(seen)
-        elif math.hypot(seen.x - self.state.x, seen.y - self.state.y) <= settings.gate:
-            self._average(seen, settings.memory)
-        else:
+            return state
+        x, y = state.x, state.y
+        dx, dy = seen.x - x, seen.y - y
+        if math.hypot(dx, dy) > settings.gate:
             self.outside += 1
-            if self.outside >= settings.outliers:
-                self._restart(seen)
+            return self._restarted(seen) if self.outside >= settings.outliers else state
+        self.n, self.outside = self.n + 1 if self.n < settings.memory else settings.memory, 0
+        share, z = 1.0 / self.n, seen.z
+        if z is not None and state.z is not None:
+            z = state.z + (z - state.z) * share
+        self.state = ObjectState(x + dx * share, y + dy * share, z)
         return self.state
 
-    def _restart(self, seen: ObjectState) -> None:
+    def _restarted(self, seen: ObjectState) -> ObjectState:
         self.state, self.n, self.outside = seen, 1, 0
-
-    def _average(self, seen: ObjectState, memory: int) -> None:
-        self.n, self.outside = min(self.n + 1, memory), 0
-        state, share = self.state, 1.0 / self.n
-        z = seen.z if seen.z is None or state.z is None else state.z + (seen.z - state.z) * share
-        self.state = ObjectState(state.x + (seen.x - state.x) * share, state.y + (seen.y - state.y) * share, z)
+        return seen
 
 
 class _AgentTrack:
@@ -257,10 +254,13 @@ class _AgentTrack:
             self._n, self._velocity = 1, (0.0, 0.0)
             return seen
         dx, dy, dt = seen.x - before.x, seen.y - before.y, t - self._t
-        self._n = min(self._n + 1, settings.memory) if math.hypot(dx, dy) <= settings.agent_gate else 1
-        dx, dy = dx / self._n, dy / self._n
+        if math.hypot(dx, dy) > settings.agent_gate or settings.memory == 1:
+            self._n, self._velocity = 1, (dx / dt, dy / dt)
+            return seen
+        self._n = n = self._n + 1 if self._n < settings.memory else settings.memory
+        dx, dy = dx / n, dy / n
         self._velocity = (dx / dt, dy / dt)
-        return seen if self._n == 1 else AgentState(before.x + dx, before.y + dy, seen.heading, seen.holding)
+        return AgentState(before.x + dx, before.y + dy, seen.heading, seen.holding)
 
 
 class _Grip:

@@ -9,9 +9,11 @@ from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
 
 
-def movement_event(movement: Movement) -> Event:
-    """Which movement it is, and what it was told by."""
-    return Event("movement", movement.t, {"movement": movement.name, "features": movement.features._asdict()})
+def movement_event(movement: Movement, agent: str) -> Event:
+    """Which movement of an agent it is, and what it was told by."""
+    seen = movement.features
+    data = {"agent": agent, "movement": movement.name, "features": dict(zip(seen._fields, seen))}
+    return Event("movement", movement.t, data)
 
 
 def verdict_event(t: float, verdict: Verdict) -> Event:

@@ -64,10 +64,11 @@ class Watcher:
             offsets[name] = dx, dy, length
             qdc[name] = labels[bisect_left(ends, length)]
             bearing[name] = abs(remainder(atan2(dy, dx) - heading, tau)) if dx != 0.0 or dy != 0.0 else 0.0
-            if name not in before:
+            was = before.get(name)
+            if was is None:
                 qtc[name] = None
                 continue
-            was_x, was_y, length = before[name]
+            was_x, was_y, length = was
             along = (mx * was_x + my * was_y) / length if length != 0.0 else 0.0
             qtc[name] = "-" if along > limit else "+" if along < -limit else "0"
         if not self._fast:
