@@ -73,7 +73,8 @@ class Forward:
         self._afresh = [[(to * phases, p) for to, p in arcs] for arcs in model.afresh.values()]
         ways = [([(to * phases, p) for to, p in own], new, groups.get(of, 0)) for own, new, of in model.changes]
         self._ways = [way for way in ways for _ in range(phases)]
-        self._complete = [(action, keys) for action, keys in _keys(model.complete, phases).items() if action is not None]
+        complete = _keys(model.complete, phases)
+        self._complete = [(action, keys) for action, keys in complete.items() if action is not None]
         self._underway = _keys([s.action if s.progress >= 0 else None for s in model.states], phases)
         self._tables: dict[float, tuple[Belief, list[Belief], Belief]] = {}
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from casper.engine.events.printing import NAMES, Names, event_lines
+from casper.engine.events.records import setters
 from casper.kb.text.lines import Line, Shown, one_line, text_of
 
 TYPES = (
@@ -26,13 +27,18 @@ TYPES = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, init=False)
 class Event(Shown):
     """One thing that happened: its type (one of `TYPES`), when (seconds), and what."""
 
     type: str
     t: float
     data: Mapping[str, Any] = field(default_factory=dict)
+
+    def __init__(self, type: str, t: float, data: Mapping[str, Any] | None = None) -> None:
+        _type(self, type)
+        _t(self, t)
+        _data(self, {} if data is None else data)
 
     def about(self, agent: str) -> Event:
         """The event, naming whose doing it is about; one that names another agent names this one as its partner."""
@@ -53,3 +59,6 @@ class Event(Shown):
 
     def __repr__(self) -> str:
         return one_line(f"Event {self.type} at {self.t:g} s")
+
+
+_type, _t, _data = setters(Event)

@@ -8,6 +8,7 @@ from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from casper.engine.events.records import setters
 from casper.engine.movements.features import (
     HOLD,
     MOS,
@@ -31,7 +32,7 @@ from casper.kb.terms.clauses import Clause
 NEGLIGIBLE = 1e-3  # share of a label that is not followed up
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, init=False)
 class Movement:
     """The movement of one moment, and what it was told by.
 
@@ -44,6 +45,23 @@ class Movement:
     features: Seen = NOT_PERCEIVED
     shares: Mapping[str, float] | None = None
     likelihoods: Mapping[str, float] | None = None
+
+    def __init__(
+        self,
+        t: float,
+        name: str,
+        features: Seen = NOT_PERCEIVED,
+        shares: Mapping[str, float] | None = None,
+        likelihoods: Mapping[str, float] | None = None,
+    ) -> None:
+        _t(self, t)
+        _name(self, name)
+        _features(self, features)
+        _shares(self, shares)
+        _likelihoods(self, likelihoods)
+
+
+_t, _name, _features, _shares, _likelihoods = setters(Movement)
 
 
 class MovementClassifier:

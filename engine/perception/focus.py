@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from casper.engine.events.records import setters
 from casper.engine.perception.perception import Relations
 from casper.engine.perception.votes import NOBODY, Ballot, Votes, Windows
 from casper.engine.settings import Rows, number, read_settings, require
@@ -96,7 +97,7 @@ def encodings(settings: FocusSettings) -> dict[tuple[str, str | None], float]:
     }
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, init=False)
 class Focus:
     """Target and destination at one moment; ``scores`` by object add up to 1, or are all 0.
 
@@ -109,6 +110,23 @@ class Focus:
     destination: str | None
     scores: Mapping[str, float]
     attended: tuple[str, ...] = ()
+
+    def __init__(
+        self,
+        t: float,
+        target: str | None,
+        destination: str | None,
+        scores: Mapping[str, float],
+        attended: tuple[str, ...] = (),
+    ) -> None:
+        _t(self, t)
+        _target(self, target)
+        _destination(self, destination)
+        _scores(self, scores)
+        _attended(self, attended)
+
+
+_t, _target, _destination, _scores, _attended = setters(Focus)
 
 
 class FocusEstimator:

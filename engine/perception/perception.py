@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from operator import itemgetter
 
+from casper.engine.events.records import setters
 from casper.engine.perception.world import Doubt, WorldState
 from casper.engine.settings import Rows, number, read_settings, require
 from casper.kb.errors import WorldStateError
@@ -64,7 +65,7 @@ def perception_settings(rows: Rows) -> PerceptionSettings:
     return read_settings(PerceptionSettings, rows, "perception", bands=bands or BANDS)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, init=False)
 class Relations:
     """The qualitative relations of one agent at one moment; every mapping is by object.
 
@@ -82,6 +83,31 @@ class Relations:
     angle: Mapping[str, float]
     doubt: Doubt | None = None
     gaps: Mapping[str, float] | None = None
+
+    def __init__(
+        self,
+        t: float,
+        agent: str,
+        moving: bool | None,
+        holding: str | None,
+        qdc: Mapping[str, str],
+        qtc: Mapping[str, str | None],
+        angle: Mapping[str, float],
+        doubt: Doubt | None = None,
+        gaps: Mapping[str, float] | None = None,
+    ) -> None:
+        _t(self, t)
+        _agent(self, agent)
+        _moving(self, moving)
+        _holding(self, holding)
+        _qdc(self, qdc)
+        _qtc(self, qtc)
+        _angle(self, angle)
+        _doubt(self, doubt)
+        _gaps(self, gaps)
+
+
+_t, _agent, _moving, _holding, _qdc, _qtc, _angle, _doubt, _gaps = setters(Relations)
 
 
 def calculi(settings: PerceptionSettings) -> tuple[Qdc, QtcB11, Mos]:

@@ -153,8 +153,8 @@ class Tracker:
         """Things in the order of meeting, so that what follows is repeatable."""
         agents = self._track_agents(world)
         held = {a.holding: a for a in agents.values() if a.holding is not None}
-        seen, settings = world.objects, self.settings
-        objects = {name: track.update(seen.get(name), held.get(name), settings) for name, track in self._objects.items()}
+        seen, settings, tracks = world.objects, self.settings, self._objects
+        objects = {name: track.update(seen.get(name), held.get(name), settings) for name, track in tracks.items()}
         for name in (*seen, *held):
             if name not in objects:
                 objects[name] = self._met(name, seen.get(name), held.get(name))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from casper.engine.events.records import setters
 from casper.engine.perception.printing import world_lines
 from casper.kb.errors import WorldStateError
 from casper.kb.terms.numbers import as_float
@@ -28,7 +29,7 @@ class Doubt:
     slack: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, init=False)
 class AgentState:
     """An agent at one moment: position (metres), heading (radians, 0 = +x, counter-clockwise), what it holds.
 
@@ -41,14 +42,34 @@ class AgentState:
     holding: str | None = None
     doubt: Doubt | None = None
 
+    def __init__(
+        self, x: float, y: float, heading: float, holding: str | None = None, doubt: Doubt | None = None
+    ) -> None:
+        _agent_x(self, x)
+        _agent_y(self, y)
+        _heading(self, heading)
+        _holding(self, holding)
+        _doubt(self, doubt)
 
-@dataclass(frozen=True, slots=True)
+
+_agent_x, _agent_y, _heading, _holding, _doubt = setters(AgentState)
+
+
+@dataclass(frozen=True, slots=True, init=False)
 class ObjectState:
     """An object of interest at one moment (metres); ``z`` is None where the sensor gives a plane only."""
 
     x: float
     y: float
     z: float | None = None
+
+    def __init__(self, x: float, y: float, z: float | None = None) -> None:
+        _x(self, x)
+        _y(self, y)
+        _z(self, z)
+
+
+_x, _y, _z = setters(ObjectState)
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,24 +103,31 @@ def world_state_from_json(data: str | bytes | Mapping[str, Any]) -> WorldState:
     """
     data = json_object(data)
     t = _number(data, "t", "the world state")
-    agents = {
-        name: AgentState(
-            _number(entry, "x", "agent", name, t),
-            _number(entry, "y", "agent", name, t),
-            _number(entry, "heading", "agent", name, t),
-            _held(entry, name, t),
-        )
-        for name, entry in _entries(data, "agents", t)
-    }
-    objects = {
-        name: ObjectState(
-            _number(entry, "x", "object", name, t),
-            _number(entry, "y", "object", name, t),
-            None if entry.get("z") is None else _number(entry, "z", "object", name, t),
-        )
-        for name, entry in _entries(data, "objects", t)
-    }
+    agents = {name: _agent(entry, name, t) for name, entry in _entries(data, "agents", t)}
+    objects = {name: _object(entry, name, t) for name, entry in _entries(data, "objects", t)}
     return WorldState(t, agents, objects)
+
+
+def _agent(entry: Mapping[str, Any], name: str, t: float) -> AgentState:
+    try:
+        x, y, heading, held = entry["x"], entry["y"], entry["heading"], entry["holding"]
+        if type(x) is type(y) is type(heading) is float and (x + y + heading) * 0.0 == 0.0 and held is None:
+            return AgentState(x, y, heading)  # all finite, as nearly always
+    except (KeyError, TypeError, IndexError):
+        _check_entry(entry, name, "agents", t)
+    x, y, heading = [_number(entry, key, "agent", name, t) for key in ("x", "y", "heading")]
+    return AgentState(x, y, heading, _held(entry, name, t))
+
+
+def _object(entry: Mapping[str, Any], name: str, t: float) -> ObjectState:
+    try:
+        x, y, z = entry["x"], entry["y"], entry["z"]
+        if type(x) is type(y) is type(z) is float and (x + y + z) * 0.0 == 0.0:
+            return ObjectState(x, y, z)
+    except (KeyError, TypeError, IndexError):
+        _check_entry(entry, name, "objects", t)
+    x, y = _number(entry, "x", "object", name, t), _number(entry, "y", "object", name, t)
+    return ObjectState(x, y, None if entry.get("z") is None else _number(entry, "z", "object", name, t))
 
 
 def json_object(data: str | bytes | Mapping[str, Any]) -> Mapping[str, Any]:
@@ -182,11 +210,13 @@ def _held(entry: Mapping[str, Any], name: str, t: float) -> str | None:
     return held
 
 
-def _entries(data: Mapping[str, Any], key: str, t: float) -> list[tuple[str, Mapping[str, Any]]]:
+def _entries(data: Mapping[str, Any], key: str, t: float) -> Iterable[tuple[str, Mapping[str, Any]]]:
     table = data.get(key)
     if not isinstance(table, Mapping):
         raise WorldStateError(f'the world state at t={t:g} has no object under "{key}"')
-    for name, entry in table.items():
-        if type(entry) is not dict and not isinstance(entry, Mapping):
-            raise WorldStateError(f'"{name}" under "{key}" at t={t:g} must be an object with its coordinates')
-    return list(table.items())
+    return table.items()
+
+
+def _check_entry(entry: object, name: str, key: str, t: float) -> None:
+    if not isinstance(entry, Mapping):
+        raise WorldStateError(f'"{name}" under "{key}" at t={t:g} must be an object with its coordinates')

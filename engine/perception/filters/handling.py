@@ -10,7 +10,6 @@ the same in plainer words.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable
 from math import exp, pi
 from typing import NamedTuple, TypeAlias
 
@@ -143,23 +142,42 @@ class Handling:
 
     def _at_rest(self, x: float, y: float, z: float, noise: float, near: Near | None) -> tuple[float, Belief]:
         """How likely the detection is when it rests, and where it then is: as before, put back, or put down anew."""
+        rest = self.rest
         if self.carried < SURE_FREE or near is None:
-            return likeliest(((1.0, self.rest),), x, y, z, noise)
-        anew = (near.x, near.y, self.hand[2], ARM)
-        return likeliest(((STAYS, self.rest), (BACK, self.home), (ANEW, anew)), x, y, z, noise)
+            return density(rest, x, y, z, noise), corrected(rest, x, y, z, noise)
+        places = rest, self.home, (near.x, near.y, self.hand[2], ARM)
+        weights = [share * density(each, x, y, z, noise) for share, each in zip((STAYS, BACK, ANEW), places)]
+        return sum(weights), corrected(places[weights.index(max(weights))], x, y, z, noise)
 
     def _in_hand(
         self, x: float, y: float, z: float, noise: float, dt: float, near: Near | None
     ) -> tuple[float, Belief]:
         """How likely the detection is when it is carried, and where it then is."""
-        hand, (rest_x, rest_y, rest_z, rest_v) = self.hand, self.rest
-        hand_x, hand_y, hand_z, hand_v = hand
-        ways = [(KEEPS, hand), (WANDERING, (hand_x, hand_y, hand_z, hand_v + WANDERS * dt))]
+        hand_x, hand_y, hand_z, hand_v = found = self.hand
+        dx, dy, dz, s = x - hand_x, y - hand_y, z - hand_z, hand_v + noise
+        half = -0.5 * (dx * dx + dy * dy + dz * dz)
+        most = total = KEEPS * (exp(half / s) * (TWO_PI * s) ** -1.5)
+        wide = hand_v + WANDERS * dt
+        s = wide + noise
+        weight = WANDERING * (exp(half / s) * (TWO_PI * s) ** -1.5)
+        total += weight
+        if weight > most:
+            most, found = weight, (hand_x, hand_y, hand_z, wide)
+        rest_x, rest_y, rest_z, rest_v = self.rest
         if not self.flat:
-            ways.append((LIFTS, (rest_x, rest_y, rest_z + LIFTED, rest_v + LIFT)))
+            lifted, wide = rest_z + LIFTED, rest_v + LIFT
+            dx, dy, dz, s = x - rest_x, y - rest_y, z - lifted, wide + noise
+            weight = LIFTS * (exp(-0.5 * (dx * dx + dy * dy + dz * dz) / s) * (TWO_PI * s) ** -1.5)
+            total += weight
+            if weight > most:
+                most, found = weight, (rest_x, rest_y, lifted, wide)
         if near is not None:
-            ways.append((REACHES, (near.x, near.y, rest_z, ARM)))
-        return likeliest(ways, x, y, z, noise)
+            dx, dy, dz, s = x - near.x, y - near.y, z - rest_z, ARM + noise
+            weight = REACHES * (exp(-0.5 * (dx * dx + dy * dy + dz * dz) / s) * (TWO_PI * s) ** -1.5)
+            total += weight
+            if weight > most:
+                found = (near.x, near.y, rest_z, ARM)
+        return total, corrected(found, x, y, z, noise)
 
     def _jumps(self, best: float) -> bool:
         self.outside = self.outside + 1 if best <= ELSEWHERE else 0
@@ -201,19 +219,15 @@ class Handling:
         return None
 
 
-def likeliest(
-    ways: Iterable[tuple[float, Belief]], x: float, y: float, z: float, noise: float
-) -> tuple[float, Belief]:
-    """The density of a detection over weighed beliefs, and the likeliest of them corrected by it."""
-    total, most, found = 0.0, -1.0, None
-    for share, way in ways:
-        own_x, own_y, own_z, variance = way
-        dx, dy, dz, s = x - own_x, y - own_y, z - own_z, variance + noise
-        weight = share * (exp(-0.5 * (dx * dx + dy * dy + dz * dz) / s) * (TWO_PI * s) ** -1.5)
-        total += weight
-        if weight > most:
-            most, found = weight, way
-    assert found is not None
-    own_x, own_y, own_z, variance = found
+def density(belief: Belief, x: float, y: float, z: float, noise: float) -> float:
+    """How likely a detection there is (m⁻³)."""
+    own_x, own_y, own_z, variance = belief
+    dx, dy, dz, s = x - own_x, y - own_y, z - own_z, variance + noise
+    return float(exp(-0.5 * (dx * dx + dy * dy + dz * dz) / s) * (TWO_PI * s) ** -1.5)
+
+
+def corrected(belief: Belief, x: float, y: float, z: float, noise: float) -> Belief:
+    """After a detection."""
+    own_x, own_y, own_z, variance = belief
     k = variance / (variance + noise)
-    return total, (own_x + k * (x - own_x), own_y + k * (y - own_y), own_z + k * (z - own_z), (1 - k) * variance)
+    return own_x + k * (x - own_x), own_y + k * (y - own_y), own_z + k * (z - own_z), (1 - k) * variance

@@ -49,12 +49,16 @@ class _Person:
     stood: int = 0
     middle: tuple[float, float] = (0.0, 0.0)
 
+    last: tuple[Motion, Near] | None = None
+
     def near(self, name: str) -> Near:
-        """Where somebody is, and how fast they go if they do."""
+        """Where somebody is, and how fast they go if they do; kept until there is more to know."""
         motion = self.way.nodes[-1]
-        if motion.pace > _walks_from(motion):
-            return Near(name, motion.x, motion.y, motion.vx, motion.vy)
-        return Near(name, motion.x, motion.y, 0.0, 0.0)
+        if self.last is None or self.last[0] is not motion:
+            walks = motion.pace > _walks_from(motion)
+            speed = (motion.vx, motion.vy) if walks else (0.0, 0.0)
+            self.last = motion, Near(name, motion.x, motion.y, *speed)
+        return self.last[1]
 
 
 class Steadier:
@@ -180,14 +184,16 @@ class Steadier:
             share, objects[name], by = found
             if by is not None and share > held.get(by, (0.0, None))[0]:
                 held[by] = share, name if share > HOLDS else None
-        agents = {}
+        agents, looks = {}, dict[float, float]()
         for name, person in self._people.items():
-            state = self._agent(person, moment, *held.get(name, (0.0, None)))
+            state = self._agent(person, moment, looks, *held.get(name, (0.0, None)))
             if state is not None:
                 agents[name] = state
         return WorldState(moment + self.lag, agents, objects)
 
-    def _agent(self, person: _Person, moment: float, share: float, holding: str | None) -> AgentState | None:
+    def _agent(
+        self, person: _Person, moment: float, looks: dict[float, float], share: float, holding: str | None
+    ) -> AgentState | None:
         motion = person.way.at(moment)
         if motion is None or not self._is_known(person, moment):
             person.told, person.stood = None, 0
@@ -199,7 +205,7 @@ class Steadier:
             x, y = self._stands(person, x, y)
         spread = math.sqrt(motion.place / max(person.stood / AVERAGED, 1.0))
         doubt = Doubt(_evidence(share, self._noise), _walks(motion), spread, SLACK * self._noise)
-        person.told = AgentState(x, y, _heading(person, moment), holding, doubt)
+        person.told = AgentState(x, y, _heading(person, moment, looks), holding, doubt)
         return person.told
 
     def _is_known(self, person: _Person, moment: float) -> bool:
@@ -286,12 +292,14 @@ def told_if_carried(noise: float) -> float:
     return max(0.95 * math.exp(-((noise / 0.05) ** 2)), 0.07)
 
 
-def _heading(person: _Person, moment: float) -> float:
-    """The mean of the headings around a moment."""
-    s = c = 0.0
+def _heading(person: _Person, moment: float, weights: dict[float, float]) -> float:
+    """The mean of the headings around a moment; ``weights`` are those of each time, kept for the next person."""
+    s, c, first = 0.0, 0.0, moment - AROUND
     for t, sine, cosine in reversed(person.looks):
-        if t < moment - AROUND and (s or c):
+        if t < first and (s or c):
             break
-        weight = math.exp(-abs(t - moment) / LOOKS)
+        weight = weights.get(t)
+        if weight is None:
+            weight = weights[t] = math.exp(-abs(t - moment) / LOOKS)
         s, c = s + weight * sine, c + weight * cosine
     return math.atan2(s, c)
