@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TypeAlias
 
 from casper.engine.events.records import setters
 from casper.engine.perception.perception import Relations
@@ -129,6 +130,10 @@ class Focus:
 _t, _target, _destination, _scores, _attended = setters(Focus)
 
 
+_Seen: TypeAlias = tuple[list[tuple[str, str]], list[str | None], list[float]]
+"""Names and QDC, QTC and angles (degrees) of one step."""
+
+
 class FocusEstimator:
     """The focus equation on each step's relations, and the votes on its scores (`engine.perception.votes`)."""
 
@@ -136,6 +141,8 @@ class FocusEstimator:
         self.settings = settings
         self._unit = 1.0 if settings.angle_unit == "degrees" else RADIANS
         self._encoded = encodings(settings)
+        self._seen: _Seen | None = None
+        self._said: tuple[Mapping[str, float], Ballot] = {}, NOBODY
         self.votes = Votes(windows(settings))
 
     def reset(self) -> None:
@@ -144,21 +151,29 @@ class FocusEstimator:
 
     def update(self, relations: Relations) -> Focus:
         """The focus after this step."""
-        scores, votes = self._scores(relations), self.votes
-        votes.cast(self._ballot(scores))
+        qdc, qtc = relations.qdc, relations.qtc
+        seen = list(qdc.items()), [qtc[name] for name in qdc], self._angles(relations)
+        if seen != self._seen:  # else scores and ballot are as they were, as for most states of a fast sensor
+            scores = self._scores(seen)
+            self._seen, self._said = seen, (scores, self._ballot(scores))
+        (scores, ballot), votes = self._said, self.votes
+        votes.cast(ballot)
         return Focus(relations.t, votes.target, votes.destination, scores, votes.attended)
 
-    def _scores(self, relations: Relations) -> dict[str, float]:
+    def _angles(self, relations: Relations) -> list[float]:
+        """Degrees, rounded."""
+        step, angle = self.settings.angle_resolution, relations.angle
+        if step > 0.0:
+            return [round(angle[name] * DEGREES / step) * step for name in relations.qdc]
+        return [angle[name] * DEGREES for name in relations.qdc]
+
+    def _scores(self, seen: _Seen) -> dict[str, float]:
         """Equation focus, normalised."""
-        unit, step, encoded = self._unit, self.settings.angle_resolution, self._encoded
-        angle, qtc, raw, total = relations.angle, relations.qtc, {}, 0.0
-        for name, label in relations.qdc.items():
-            theta = angle[name] * DEGREES
-            if step > 0.0:
-                theta = round(theta / step) * step
-            weight = encoded.get((label, qtc[name]))
+        unit, encoded, raw, total = self._unit, self._encoded, dict[str, float](), 0.0
+        for (name, label), symbol, theta in zip(*seen):
+            weight = encoded.get((label, symbol))
             if weight is None:
-                weight = weigh(self.settings, label, qtc[name])
+                weight = weigh(self.settings, label, symbol)
             value = raw[name] = weight / (1.0 + theta * unit)
             total += value
         return {name: score / total for name, score in raw.items()} if total > 0.0 else raw

@@ -23,7 +23,7 @@ def messages(lines: Iterable[Line | Note]) -> Iterator[Item]:
         try:
             check_line(line.text)
             data = json_object(line.text)
-            if data.get("type") in KEPT and "agents" not in data:
+            if "agents" not in data and data.get("type") in KEPT:
                 continue
             message = message_from_json(data)
         except (WorldStateError, ReadError) as mistake:

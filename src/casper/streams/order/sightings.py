@@ -51,7 +51,7 @@ class Sightings:
         told: list[str] = []
         if not world.objects.keys().isdisjoint(world.agents):
             world = self._without_doubles(world, told)
-        if any(name not in self._objects for name in world.objects):
+        if not world.objects.keys() <= self._objects.keys():
             world = self._met(world, told)
         told += self._agents_elsewhere(world)
         told += self._objects_elsewhere(world)
