@@ -203,3 +203,22 @@ def test_the_kitchens_facts_are_the_papers_encodings_and_the_published_weights()
 def test_a_setting_that_makes_no_sense_is_refused_with_a_sentence(facts, sentence):
     with pytest.raises(DomainError, match=sentence):
         focus_settings(rows_of(facts))
+
+
+STEPS = st.lists(
+    st.tuples(*[st.sampled_from(QDC)] * 2, st.sampled_from("-0+"), st.sampled_from((0.0, 0.01, 0.5)), st.booleans()),
+    min_size=1,
+    max_size=12,
+)
+
+
+@given(STEPS, st.sampled_from((0.0, 10.0)))
+def test_scores_are_those_of_the_step_alone_whatever_came_before(steps, resolution):
+    settings = FocusSettings(angle_resolution=resolution)
+    relations = []
+    for t, (one, other, symbol, angle, turned) in enumerate(steps):
+        names = ("b", "a") if turned else ("a", "b")
+        relations.append(seen(t, dict(zip(names, (one, other))), qtc={"a": symbol}, angle={"b": angle}))
+    for each, focus in zip(relations, focuses(*relations, settings=settings)):
+        alone = focuses(each, settings=settings)[0].scores
+        assert list(focus.scores.items()) == list(alone.items())

@@ -78,3 +78,21 @@ def test_what_is_no_world_state_is_refused_by_name_and_time(data, sentence):
     with pytest.raises(WorldStateError) as told:
         world_state_from_json(data)
     assert sentence in str(told.value)
+
+
+NUMBERS = st.floats(allow_nan=False, allow_infinity=False) | st.integers(-(10**9), 10**9)
+
+
+@given(NUMBERS, NUMBERS, NUMBERS | st.none(), NUMBERS)
+def test_whatever_numbers_a_line_has_they_are_read_as_they_are(x, y, z, heading):
+    agents = {"human": {"x": x, "y": y, "heading": heading, "holding": None if z is None else "cup"}}
+    line = json.dumps({"t": 1, "agents": agents, "objects": {"cup": {"x": x, "y": y, "z": z}, "pan": {"x": x, "y": y}}})
+    world = world_state_from_json(line)
+    assert world.objects == {"cup": ObjectState(x, y, z), "pan": ObjectState(x, y)}
+    assert world.agents == {"human": AgentState(x, y, heading, None if z is None else "cup")}
+
+
+@pytest.mark.parametrize("entry", [None, 3, "cup", [1.0, 2.0]])
+def test_an_entry_that_is_no_object_is_named(entry):
+    with pytest.raises(WorldStateError, match='"cup" under "objects" at t=1 must be an object'):
+        world_state_from_json({"t": 1.0, "agents": {}, "objects": {"cup": entry}})
