@@ -154,8 +154,8 @@ class FocusEstimator:
         qdc, qtc = relations.qdc, relations.qtc
         seen = list(qdc.items()), [qtc[name] for name in qdc], self._angles(relations)
         if seen != self._seen:  # else scores and ballot are as they were, as for most states of a fast sensor
-            scores = self._scores(seen)
-            self._seen, self._said = seen, (scores, self._ballot(scores))
+            anew = self._scores(seen)
+            self._seen, self._said = seen, (anew, self._ballot(anew))
         (scores, ballot), votes = self._said, self.votes
         votes.cast(ballot)
         return Focus(relations.t, votes.target, votes.destination, scores, votes.attended)
