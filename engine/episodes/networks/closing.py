@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any, TypeAlias
 
-from casper.engine.episodes.networks.asking import Asked, Asking, Failed
+from casper.engine.episodes.networks.asking import Asking
 from casper.engine.episodes.networks.items.methods import Methods
 from casper.engine.episodes.networks.items.terms import (
     CALL,
@@ -25,6 +25,7 @@ from casper.engine.episodes.networks.items.terms import (
     slots_in,
     unified,
 )
+from casper.engine.episodes.networks.remembering import Asked, Failed
 
 MOST_TRIED = 100  # links looked at to see whether one can close
 ABOVE = 1_000  # what is taken upwards has slots from here on, so that it fits whatever conditions a link comes with

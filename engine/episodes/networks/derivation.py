@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from casper.engine.episodes.networks.asking import Asked, Asking, Failed
+from casper.engine.episodes.networks.asking import Asking
 from casper.engine.episodes.networks.items.compiling import indicator
 from casper.engine.episodes.networks.items.methods import Methods
 from casper.engine.episodes.networks.items.terms import (
@@ -31,6 +31,7 @@ from casper.engine.episodes.networks.items.terms import (
     slots_of,
     unified,
 )
+from casper.engine.episodes.networks.remembering import Asked, Failed
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, Term, as_term
 from casper.plans.trees.nodes import Action, Node, Task

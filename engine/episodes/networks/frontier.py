@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 from typing import Any, NamedTuple
 
-from casper.engine.episodes.networks.asking import Asked, Asking, Failed
+from casper.engine.episodes.networks.asking import Asking
 from casper.engine.episodes.networks.items.compiling import indicator
 from casper.engine.episodes.networks.items.methods import Methods
 from casper.engine.episodes.networks.items.terms import (
@@ -26,6 +26,7 @@ from casper.engine.episodes.networks.items.terms import (
     slots_of,
     unified,
 )
+from casper.engine.episodes.networks.remembering import Asked, Failed
 
 MOST_LEAVES = 300  # of a rest that is told
 MOST_DEEP = 100  # tasks within tasks

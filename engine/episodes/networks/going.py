@@ -12,7 +12,7 @@ from collections.abc import Collection, Hashable, Iterable, Iterator, Sequence
 from typing import Any
 
 from casper.engine.episodes.growing import Step
-from casper.engine.episodes.networks.asking import Asked, Asking, Failed
+from casper.engine.episodes.networks.asking import Asking
 from casper.engine.episodes.networks.derivation import Done
 from casper.engine.episodes.networks.growth import FREE, Growth
 from casper.engine.episodes.networks.items.compiling import indicator
@@ -30,6 +30,7 @@ from casper.engine.episodes.networks.items.terms import (
     outward,
     slot,
 )
+from casper.engine.episodes.networks.remembering import Asked, Failed
 from casper.engine.episodes.networks.state import State
 from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.kb.errors import PlanError

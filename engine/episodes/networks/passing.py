@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple, TypeAlias
 
-from casper.engine.episodes.networks.asking import Asked, Asking, Failed
+from casper.engine.episodes.networks.asking import Asking
 from casper.engine.episodes.networks.closing import Closing
 from casper.engine.episodes.networks.items.compiling import indicator
 from casper.engine.episodes.networks.items.methods import Methods
@@ -30,6 +30,7 @@ from casper.engine.episodes.networks.items.terms import (
     slots_of,
     unified,
 )
+from casper.engine.episodes.networks.remembering import Asked, Failed
 
 MOST_PASSED = 30  # tasks within one another that are passed over
 Passed: TypeAlias = tuple[Env, int, tuple[Asked, ...]]  # the substitution, leaves that were missed, conditions due

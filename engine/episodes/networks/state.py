@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from casper.engine.episodes.networks.asking import Asked
 from casper.engine.episodes.networks.items.terms import Row, interned
+from casper.engine.episodes.networks.remembering import Asked
 
 
 class State(NamedTuple):

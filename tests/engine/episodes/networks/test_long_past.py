@@ -1,6 +1,7 @@
 """What conditions know of a past that is longer than is kept observation by observation."""
 
-from casper.engine.episodes.networks.asking import MOST_MOMENTS, Asking, Failed
+from casper.engine.episodes.networks.asking import Asking
+from casper.engine.episodes.networks.remembering import MOST_MOMENTS, Failed
 from casper.engine.episodes.past import MOST
 from casper.kb.base import KnowledgeBase
 from casper.kb.terms.terms import Compound
