@@ -9,6 +9,7 @@ were to go on; the leading goal has most of the weight.
 from __future__ import annotations
 
 import argparse
+import gc
 import statistics
 import time
 from collections.abc import Iterator
@@ -68,6 +69,7 @@ def measured(networks: Networks, flood: Domain, episodes: list[Episode], kept: i
     half = end = lost = 0
     times: list[float] = []
     for episode in episodes:
+        gc.collect()  # as `casper.engine.live.memory.tidied` does
         beam = Beam(networks, kept)
         for number, action in enumerate(episode.actions, 1):
             seen = observation_of(action, flood.library.actions)

@@ -28,7 +28,7 @@ def replay(
     from casper.cli.terminal.pacing import check_speed, paced
     from casper.cli.terminal.showing import complain, show
     from casper.engine.events.timeline import Timeline
-    from casper.engine.live.memory import keep_loaded
+    from casper.engine.live.memory import keep_loaded, tidied
     from casper.report.writing import reporting
     from casper.streams.recordings.replaying import Replay
 
@@ -42,7 +42,7 @@ def replay(
     with reporting(loaded, report) as recorder:
         if not as_json and not quiet and again.header.seed is not None:
             show(out, timeline.open(loaded.name, again.header.seed))
-        for event in paced(again.events(), speed, None):
+        for event in tidied(paced(again.events(), speed, None)):
             if recorder is not None:
                 recorder.see(minds.tracker.latest)
                 recorder.take(event, minds)

@@ -104,7 +104,7 @@ def run(
     from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
     from casper.engine.events.timeline import Timeline
-    from casper.engine.live.memory import keep_loaded
+    from casper.engine.live.memory import keep_loaded, tidied
     from casper.report.writing import check_page, reporting
     from casper.rrd.writing import check_rrd, logging
     from casper.streams.recordings.header import header_of
@@ -147,7 +147,7 @@ def run(
             trial.each_step = lambda: [listener.see(trial.simulation.truth()) for listener in listeners]
         for listener in listeners:
             events = listener.heard(events, trial.minds)
-        for event in paced(events, pace):
+        for event in tidied(paced(events, pace)):
             if as_json:
                 print_json(event.to_json())
             elif not quiet or event.type == "summary":

@@ -58,7 +58,7 @@ def watch(
     from casper.engine.domain.domain import Domain
     from casper.engine.events.timeline import Timeline
     from casper.engine.live import Live, Partners
-    from casper.engine.live.memory import keep_loaded
+    from casper.engine.live.memory import keep_loaded, tidied
     from casper.report.writing import reporting
     from casper.rrd.writing import logging
     from casper.streams.order.window import check_window, usual_window
@@ -83,7 +83,7 @@ def watch(
     written = recording(record, header_of(loaded, language, chosen))
     with written as writer, reporting(loaded, report) as page, logging(loaded, rerun) as log:
         events = watched(live, stream.items(), reload, seconds, writer)
-        for event in events if writer is None else writer.heard(events):
+        for event in tidied(events if writer is None else writer.heard(events)):
             for listener in (listener for listener in (page, log) if listener is not None):
                 listener.see(live.mind.tracker.latest)
                 listener.take(event, live.mind)
