@@ -95,7 +95,7 @@ def test_a_premise_may_be_asked_for_one_key_or_equal_ones(condition, rows):
 
 
 def test_of_many_keys_the_best_are_followed_first(monkeypatch):
-    monkeypatch.setattr(least_columns, "LIKELY", 2)
+    monkeypatch.setattr(least_columns, "AT_ONCE", 2)
     edges = [(at, (at * 7 + step) % 60, 1 + step * 5) for at in range(60) for step in (0, 1, 2)]
     text = FROM_A.replace("far(a, 0)", "far(0, 0)")
     assert set(on_columns(text, edges)["far", 2]) == set(model(text, edges).relations["far", 2])
