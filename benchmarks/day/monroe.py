@@ -21,7 +21,7 @@ from casper.engine.domain.domain import Domain
 from casper.engine.episodes.networks.asking import Asking
 from casper.engine.episodes.networks.networks import Networks
 from casper.engine.episodes.networks.state import State
-from casper.engine.live.memory import keep_loaded
+from casper.engine.live.memory import Uninterrupted, keep_loaded
 from casper.engine.verification.observation import observation_of
 
 
@@ -74,7 +74,8 @@ def measured(networks: Networks, flood: Domain, episodes: list[Episode], kept: i
         for number, action in enumerate(episode.actions, 1):
             seen = observation_of(action, flood.library.actions)
             start = time.process_time()
-            beam.observe(seen)
+            with Uninterrupted():  # as a live mind takes in a step
+                beam.observe(seen)
             times.append(time.process_time() - start)
             if number == (len(episode.actions) + 1) // 2:
                 half += beam.leading() == episode.goal

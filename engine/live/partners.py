@@ -8,6 +8,7 @@ from typing import Any
 from casper.engine.domain.agents import is_known
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
+from casper.engine.live.memory import Uninterrupted
 from casper.engine.mind import Mind
 from casper.engine.perception.told import jumps
 from casper.engine.perception.tracking import Tracker
@@ -47,12 +48,13 @@ class Partners:
         Raises:
             WorldStateError, CasperError: as `Mind.update`.
         """
-        tracker = self.first.tracker
-        steady = tracker.steps(world)
-        events = jumps(tracker, world.t)
-        for state in steady:
-            events += self._noticed(state)
-        return events
+        with Uninterrupted():
+            tracker = self.first.tracker
+            steady = tracker.steps(world)
+            events = jumps(tracker, world.t)
+            for state in steady:
+                events += self._noticed(state)
+            return events
 
     def _noticed(self, tracked: WorldState) -> list[Event]:
         events = [*self._met(tracked)]

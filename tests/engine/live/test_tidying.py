@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from casper.engine.events.event import Event
-from casper.engine.live.memory import tidied
+from casper.engine.live.memory import Uninterrupted, tidied
 
 
 class Circle:
@@ -34,3 +34,14 @@ def test_after_an_episode_nothing_is_left_of_what_nobody_holds():
         assert seen() is None
     finally:
         gc.enable()
+
+
+def test_within_a_step_nothing_is_collected_and_afterwards_it_is_as_before():
+    for is_on in (True, False):
+        (gc.enable if is_on else gc.disable)()
+        try:
+            with Uninterrupted():
+                assert not gc.isenabled()
+            assert gc.isenabled() == is_on
+        finally:
+            gc.enable()
