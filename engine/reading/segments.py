@@ -5,7 +5,7 @@
 * what fits the episode under way goes on with it; what is a step that the partner had left to the robot, with that one;
 * what fits neither, and is the first step of a goal, begins a new episode;
 * what fits nothing is left out; where a goal explains two or three such together they begin a new episode, as they do
-  together with what fits if that makes more than the episode under way has;
+  with an action that fits the episode under way, too, if that is as much as was seen of that one;
 * what fits only what another partner is doing is a step of that;
 * what comes next of a goal that was taken to be given up, and fits nothing else, is a step of that: it was not;
 * what repeats a step of the episode that has just closed, or of one whose rest is the robot's, is left out.
@@ -162,7 +162,7 @@ class BySight:
 
 
     def _fits_better(self, seen: Seen, current: Underway) -> Begins | None:
-        """The action, which the episode has taken in, with what was left out, if a goal explains more by that."""
+        """The action, which the episode has taken in, with what was left out, if a goal has as much by that."""
         together = self._together(seen)
         if together is None or len(together.observations) < len(current.reading.observations):
             return None

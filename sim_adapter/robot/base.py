@@ -15,6 +15,7 @@ from casper.sim_adapter.steps import Missed, StepFailed, Ticks
 
 ACCELERATION = 0.8
 LAG = 0.3  # metres the base may stay behind its servos before something is wrong
+RESTS = 0.06  # m/s, and rad/s, below which it has come to rest
 ASIDE = 3.0  # seconds it stays where it went to let somebody through
 
 
@@ -42,9 +43,10 @@ class RobotBase:
         self.aim_x, self.aim_y, self.aim_yaw = start
         self.speed = 0.0
         self._turning = 0.0
+        self._brakes = False
         self.held_up = 0.0  # seconds it has been waiting for a way
         self.goals: list[Point] = []  # where it wants to be, whoever stands there
-        self.waits = False  # for a way
+        self.waits = False  # for a way, or for a hand to let go
         self.aside: Point | None = None  # where it shall go first, to let somebody through
         self.others = others
         self._dt = physics.scene.sim.control
@@ -65,7 +67,10 @@ class RobotBase:
         return x, y
 
     def update(self) -> None:
-        """Aim the servos."""
+        """Aim the servos; who brakes stays where it comes to rest, and does not swing back."""
+        if self._brakes and all(abs(self.physics.joint_speed(joint)) < RESTS for joint in self._joints):
+            self._brakes = False
+            self._aim_here()
         for joint, value in zip(self._joints, (self.aim_x, self.aim_y, self.aim_yaw)):
             self.physics.servo(joint, value)
 
@@ -144,7 +149,7 @@ class RobotBase:
         if self.space.pace == 0.0:
             self._stand()
             return
-        left = turn(heading - self.aim_yaw)
+        left, self._brakes = turn(heading - self.aim_yaw), False
         fastest = min(self.settings.turn_rate * share * self.space.pace, 2.0 * abs(left) + 0.05)
         wanted = math.copysign(min(fastest, abs(left) / self._dt), left)
         change = 3.0 * self._dt
@@ -178,7 +183,7 @@ class RobotBase:
         here = (self.aim_x, self.aim_y)
         if math.dist(here, self.place) > LAG:
             raise Missed("the base is stuck")
-        gap = math.dist(here, corner)
+        gap, self._brakes = math.dist(here, corner), False
         way = bearing(here, corner)
         if gap + beyond > 0.3:
             self.turn_to(way)
@@ -199,10 +204,14 @@ class RobotBase:
     def _stand(self) -> None:
         """The servos aim at where the base really is, but for what it rolls on while they take hold."""
         if self.speed or self._turning:
-            x, y, yaw = self.pose
-            self.aim_x, self.aim_y = x, y
-            self.aim_yaw += turn(yaw - self.aim_yaw)
+            self._brakes = True
+            self._aim_here()
         self.speed = self._turning = 0.0
+
+    def _aim_here(self) -> None:
+        x, y, yaw = self.pose
+        self.aim_x, self.aim_y = x, y
+        self.aim_yaw += turn(yaw - self.aim_yaw)
 
     def halt(self, seconds: float) -> Ticks:
         """Stand for a while."""

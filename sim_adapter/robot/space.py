@@ -33,7 +33,7 @@ class Space:
     ``pace`` is the share of its speed at which the robot may move: 1 while nobody is within ``slow_distance``, less the
     nearer somebody is, that of ``slow_speed`` just outside ``stop_distance``, and 0 within. ``least`` is the least gap
     while it moved, ``speed`` its speed then (m/s, of base or fingertips, whichever was faster); infinite and 0 while it
-    never moved. Once it was told to stand and came to rest, what moves of it is pushed, and does not count.
+    never moved.
     """
 
     def __init__(self, physics: Physics) -> None:
@@ -45,7 +45,6 @@ class Space:
         self.arms = scene.human_settings.radius + ARM
         self.pace, self.gap = 1.0, math.inf
         self.least, self.speed = math.inf, 0.0
-        self._stands = False  # it was told to, and has come to rest
         self._dt = scene.sim.control
         self._before: dict[str, tuple[Point, Spot]] = {}  # where each person's body and hand were a control step ago
         self._own: tuple[Point, Spot] | None = None  # the same of the robot's base and fingertips
@@ -60,8 +59,7 @@ class Space:
             self.gap, soon = min(self.gap, gap), min(soon, then)
         own = self._own or (base, tool)
         speed = max(math.dist(base, own[0]), math.dist(tool, own[1])) / self._dt
-        self._stands = self.pace == 0.0 and (self._stands or speed <= MOVING)
-        if speed > MOVING and not self._stands and self.gap < self.least:
+        if speed > MOVING and self.gap < self.least:
             self.least, self.speed = self.gap, speed
         self.pace = self._pace(soon - SPARE - BRAKING * speed)
         self._own = base, tool

@@ -1,4 +1,4 @@
-"""The robot that is held up: whom it keeps in view, who lets it through, what it makes of a push and of a miss."""
+"""The robot that is held up: whom it keeps in view, who lets it through, how it stops, what it makes of a miss."""
 
 import math
 
@@ -46,19 +46,21 @@ def test_while_it_waits_for_a_way_it_keeps_its_partner_in_view():
     assert simulation.robot.current is not None and seen >= 25
 
 
-def test_what_stands_and_is_pushed_does_not_move_by_itself():
+def test_a_base_that_stops_stays_where_it_comes_to_rest_and_does_not_swing_back():
     simulation = Simulation(kitchen_scene(), seed=0, start=(1.0, 0.0))
-    space, body = simulation.robot.space, simulation.human.body
-    x, y, yaw = simulation.robot.pose
-    body.x, body.y = x + 0.5, y
-    body.show(at_once=True)
-    simulation.advance(1.0)
-    before = space.least
-    assert space.pace == 0.0
-    simulation.physics.set_joint("tiago:yaw", yaw + 0.1)
-    simulation.physics.refresh()
-    space.update(simulation.robot.base.place)
-    assert space.gap < before and space.least == before
+    base, wanted = simulation.robot.base, simulation.robot.base.aim_yaw + 3.0
+
+    def turned():
+        base.update()
+        simulation.physics.step()
+        return simulation.physics.joint("tiago:yaw")
+
+    for _ in range(60):
+        base.turn_to(wanted)
+        turned()
+    list(base.stop())
+    headings = [turned() for _ in range(100)]
+    assert max(headings) - headings[-1] < 0.002
 
 
 def test_an_arm_that_was_sent_out_of_reach_is_folded_all_the_same():
