@@ -22,6 +22,7 @@ from casper.streams.sources.files import File
 from casper.streams.watching import watched
 
 Result: TypeAlias = dict[str, Any]
+AHEAD = 64  # world states of a recording that are read at once
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +85,8 @@ def _watch(domain: Domain, recording: Any, options: Mapping[str, Any]) -> Result
     """A recording is a file of world states, one JSON object a line, as ``casper watch`` reads it."""
     file = Path(text_of(recording, "recording"))
     summary, left_out = {}, 0
-    for event in watched(Partners(domain, **options), File(file).items(), window=usual_window(is_live=False)):
+    lines, window = File(file).items(), usual_window(is_live=False)
+    for event in watched(Partners(domain, **options), lines, window=window, ahead=AHEAD):
         if event.type == "warning" and " is left out: " in event.data["message"]:
             left_out += 1
         elif event.type == "summary":

@@ -9,7 +9,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Mapping
 from math import atan2, remainder, sqrt, tau
-from typing import NamedTuple, cast
+from typing import Any, NamedTuple
 
 from casper.qsr.calculi.calculus import Body, Calculus, Names, Step
 from casper.qsr.calculi.distances import Qdc
@@ -83,7 +83,7 @@ class Watcher:
         return sqrt(mx * mx + my * my) > self._mos.threshold.per_step(dt), (mx, my)
 
 
-_OBSERVER = cast(str, object())  # no thing's name equals it, whatever the things are called
+_OBSERVER: Any = object()  # no thing's name equals it, whatever the things are called
 _ALONE = ((_OBSERVER,),)
 
 

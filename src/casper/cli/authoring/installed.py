@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import casper
+from casper.engine.perception.filters import handling
 from casper.sim_adapter.physics.bodies.package import INSTALL, LEAST
 from casper.sim_adapter.physics.bodies.package import PACKAGE as ROBOSUITE
 
@@ -26,6 +27,7 @@ PURPOSES: Mapping[str, str] = {
     "train": "casper train",
     "plot": "casper explain --picture",
     "tables": "casper batch with .parquet; pandas and Arrow in Python",
+    "fast": "lines of JSON are read four times as fast (casper watch, batch, replay)",
     "batch": "casper batch and casper experiment with --jobs and --cluster",
     "experiments": "casper experiment",
     "owl": "casper import of ontologies",
@@ -114,11 +116,16 @@ def requirements(lines: list[str]) -> dict[str, dict[str, str]]:
 def surroundings() -> dict[str, str]:
     """Where it runs: versions, the platform, the encoding of the output."""
     return {
-        "casper": f"{casper.__version__} in {Path(casper.__file__).parent}",
+        "casper": f"{casper.__version__} in {Path(casper.__file__).parent}{', compiled' if is_compiled() else ''}",
         "Python": f"{platform.python_version()} ({sys.executable})",
         "platform": platform.platform(),
         "output": f"{getattr(sys.stdout, 'encoding', None) or locale.getpreferredencoding(False)}",
     }
+
+
+def is_compiled() -> bool:
+    """Whether minds run compiled (``hatch_build.py``)."""
+    return not str(handling.__file__).endswith(".py")
 
 
 def too_old(version: str, bounds: str) -> str:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from casper.engine.live import message_from_json
+from casper.engine.live import Message, message_from_json
+from casper.engine.live.decoding import plain_world_state
 from casper.engine.perception.world import json_object
 from casper.kb.errors import ReadError, WorldStateError
 from casper.streams.items import Given, Item, Line, Note
@@ -22,10 +23,12 @@ def messages(lines: Iterable[Line | Note]) -> Iterator[Item]:
             continue
         try:
             check_line(line.text)
-            data = json_object(line.text)
-            if "agents" not in data and data.get("type") in KEPT:
-                continue
-            message = message_from_json(data)
+            message: Message | None = plain_world_state(line.text)
+            if message is None:
+                data = json_object(line.text)
+                if "agents" not in data and data.get("type") in KEPT:
+                    continue
+                message = message_from_json(data)
         except (WorldStateError, ReadError) as mistake:
             yield Note(_left_out(line, mistake.sentence))
             continue

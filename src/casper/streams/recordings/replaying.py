@@ -12,7 +12,8 @@ from casper import __version__
 from casper.engine.domain.digest import digest
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
-from casper.engine.live import Partners, heard, message_from_json
+from casper.engine.live import Message, Partners, heard, message_from_json
+from casper.engine.live.decoding import plain_world_state
 from casper.engine.perception.world import json_object
 from casper.kb.errors import CasperError, DomainError, ReadError, WorldStateError
 from casper.streams.items import Line, Note
@@ -78,6 +79,10 @@ class Replay:
     def _replayed(self, line: Line) -> Iterator[Event]:
         try:
             check_line(line.text)
+            world = plain_world_state(line.text)
+            if world is not None:
+                yield from self._told(world)
+                return
             data = json_object(line.text)
             kind = data.get("type")
             if kind == "told":
@@ -88,13 +93,16 @@ class Replay:
                 message = message_from_json(data)
                 if kind == "robot" and self.header.is_simulated:
                     yield _event(data)
-                with suppress(WorldStateError):  # as when it was recorded: what was told of it is a line of its own
-                    events = heard(self.minds, message)
-                    self._now = message.t
-                    yield from events
+                yield from self._told(message)
         except (WorldStateError, ReadError) as mistake:
             if line.is_whole:
                 yield Event("warning", self._now, {"message": f"{line.where} is left out: {mistake.sentence}"})
+
+    def _told(self, message: Message) -> Iterator[Event]:
+        with suppress(WorldStateError):  # as when it was recorded: what was told of it is a line of its own
+            events = heard(self.minds, message)
+            self._now = message.t
+            yield from events
 
     def _aside(self, data: Mapping[str, Any]) -> Iterator[Event]:
         event = _event(data.get("event"))
