@@ -98,7 +98,7 @@ class Mind:
         rest: dict[str, Any] = {"helps": helps, "stops": stops, "partner": partner, "segments": segments}
         rest["certainty"] = certainty
         self.like: Callable[..., Mind] = partial(Mind, **choices, **rest)
-        self.tracker = Tracker(tracker_settings(rows))
+        self.tracker = Tracker(tracker_settings(rows), None if self.partner == domain.robot else domain.robot)
         self.perception = Perception(perception_settings(rows), self.partner)
         self.focus = FocusEstimator(focus_settings(rows))
         self.handled = Handled()

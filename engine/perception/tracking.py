@@ -65,10 +65,15 @@ RECENT = 40  # world states from which the filters begin, once the sensor is fou
 
 
 class Tracker:
-    """Turns each sensed world state into a steadier one in which nothing once seen is lost."""
+    """Turns each sensed world state into a steadier one in which nothing once seen is lost.
 
-    def __init__(self, settings: TrackerSettings) -> None:
-        self.settings = settings
+    Args:
+        settings: what is mended, and from when on a sensor is filtered.
+        own: the name of the one who looks, of whose own pose there is no doubt; None: nobody in view.
+    """
+
+    def __init__(self, settings: TrackerSettings, own: str | None = None) -> None:
+        self.settings, self.own = settings, own
         self.reset()
 
     def reset(self) -> None:
@@ -115,7 +120,8 @@ class Tracker:
             self._last = world.t
             return [usual]
         chosen = self.settings
-        self._steadier = Steadier(max(self._last, world.t - 100.0), chosen.pace, chosen.lag, chosen.agent_bridge)
+        since = max(self._last, world.t - 100.0)
+        self._steadier = Steadier(since, chosen.pace, chosen.lag, chosen.agent_bridge, self.own)
         return [w for recent in self._recent for w in self._steadier.update(recent, seen)]
 
     def _steadied(self, world: WorldState, steadier: Steadier) -> list[WorldState]:

@@ -103,8 +103,13 @@ class Handling:
             x, y, z = seen.x, seen.y, seen.z or 0.0
             at_rest, rest_now = self._at_rest(x, y, z, noise, near)
             in_hand, hand_now = self._in_hand(x, y, z, noise, dt, near)
-            jumped = self._jumps(max(at_rest, in_hand))
+            if at_rest > ELSEWHERE or in_hand > ELSEWHERE:
+                self.outside = 0
+            else:
+                self.outside += 1
+            jumped = self.outside >= JUMPS
             if jumped:
+                self.outside = 0
                 self.rest = self.hand = (x, y, z, noise)
                 self.carried = 0.5
             elif self.outside == 0:
@@ -143,8 +148,12 @@ class Handling:
     def _at_rest(self, x: float, y: float, z: float, noise: float, near: Near | None) -> tuple[float, Belief]:
         """How likely the detection is when it rests, and where it then is: as before, put back, or put down anew."""
         rest = self.rest
-        if self.carried < SURE_FREE or near is None:
-            return density(rest, x, y, z, noise), corrected(rest, x, y, z, noise)
+        if self.carried < SURE_FREE or near is None:  # `density` and `corrected` at once, as nearly always
+            own_x, own_y, own_z, variance = rest
+            dx, dy, dz, s = x - own_x, y - own_y, z - own_z, variance + noise
+            k = variance / s
+            found = own_x + k * dx, own_y + k * dy, own_z + k * dz, (1 - k) * variance
+            return exp(-0.5 * (dx * dx + dy * dy + dz * dz) / s) * (TWO_PI * s) ** -1.5, found
         places = rest, self.home, (near.x, near.y, self.hand[2], ARM)
         weights = [share * density(each, x, y, z, noise) for share, each in zip((STAYS, BACK, ANEW), places)]
         return sum(weights), corrected(places[weights.index(max(weights))], x, y, z, noise)
@@ -177,14 +186,9 @@ class Handling:
             total += weight
             if weight > most:
                 found = (near.x, near.y, rest_z, ARM)
-        return total, corrected(found, x, y, z, noise)
-
-    def _jumps(self, best: float) -> bool:
-        self.outside = self.outside + 1 if best <= ELSEWHERE else 0
-        if self.outside >= JUMPS:
-            self.outside = 0
-            return True
-        return False
+        own_x, own_y, own_z, variance = found
+        k = variance / (variance + noise)
+        return total, (own_x + k * (x - own_x), own_y + k * (y - own_y), own_z + k * (z - own_z), (1 - k) * variance)
 
     def at(self, t: float) -> tuple[float, ObjectState, str | None] | None:
         """How likely it was carried at a moment, where it was, and in whose hand, from all that was seen by now.

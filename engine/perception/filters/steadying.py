@@ -41,10 +41,14 @@ Present: TypeAlias = tuple[str, float, float]
 
 @dataclass
 class _Person:
-    """What is kept of one agent: the way, what was sensed of heading by time, and what was told last."""
+    """What is kept of one agent: the way, what was sensed of heading by time, and what was told last.
+
+    ``poses`` are what was sensed by time, of the one who looks alone.
+    """
 
     way: Way = field(default_factory=Way)
     looks: deque[Look] = field(default_factory=lambda: deque(maxlen=400))
+    poses: deque[tuple[float, AgentState]] = field(default_factory=lambda: deque(maxlen=400))
     told: AgentState | None = None
     stood: int = 0
     middle: tuple[float, float] = (0.0, 0.0)
@@ -69,10 +73,13 @@ class Steadier:
         pace: seconds between two that are told.
         lag: seconds by which they are late.
         bridge: seconds for which an agent who is not seen is thought to go on.
+        own: the name of the one who looks, who knows best where it is: it is told as it was sensed.
     """
 
-    def __init__(self, since: float, pace: float = 0.5, lag: float = 1.5, bridge: float = 2.0) -> None:
-        self.since, self.pace, self.lag, self.bridge = since, pace, lag, bridge
+    def __init__(
+        self, since: float, pace: float = 0.5, lag: float = 1.5, bridge: float = 2.0, own: str | None = None
+    ) -> None:
+        self.since, self.pace, self.lag, self.bridge, self.own = since, pace, lag, bridge, own
         self._first_lag = lag
         self._noise = LEAST_NOISE
         self._marked = self._told = 0  # paces
@@ -146,6 +153,8 @@ class Steadier:
                 person = self._people[name] = _Person()
             person.way.seen(t, agent.x, agent.y, variance)
             person.looks.append((t, math.sin(agent.heading), math.cos(agent.heading)))
+            if name == self.own:
+                person.poses.append((t, agent))
         holder = {agent.holding: name for name, agent in agents.items() if agent.holding is not None}
         present, if_carried = self._present(t), told_if_carried(noise)
         self.jumps = []
@@ -186,7 +195,11 @@ class Steadier:
                 held[by] = share, name if share > HOLDS else None
         agents, looks = {}, dict[float, float]()
         for name, person in self._people.items():
-            state = self._agent(person, moment, looks, *held.get(name, (0.0, None)))
+            share, holding = held.get(name, (0.0, None))
+            if name == self.own:
+                state = self._as_sensed(person, moment, holding)
+            else:
+                state = self._agent(person, moment, looks, share, holding)
             if state is not None:
                 agents[name] = state
         return WorldState(moment + self.lag, agents, objects)
@@ -207,6 +220,14 @@ class Steadier:
         doubt = Doubt(_evidence(share, self._noise), _walks(motion), spread, SLACK * self._noise)
         person.told = AgentState(x, y, _heading(person, moment, looks), holding, doubt)
         return person.told
+
+    def _as_sensed(self, person: _Person, moment: float, holding: str | None) -> AgentState | None:
+        """Where the one who looks was last at a moment."""
+        for t, pose in reversed(person.poses):
+            if t <= moment:
+                here = AgentState(pose.x, pose.y, pose.heading, holding)
+                return here if moment - t <= self.bridge else None
+        return None
 
     def _is_known(self, person: _Person, moment: float) -> bool:
         """Seen not long before, or at both ends of a gap."""
