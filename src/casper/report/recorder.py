@@ -12,10 +12,11 @@ are thinned out evenly, and of the others the last ones are left out. The page s
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from casper.engine.domain.domain import Domain
 from casper.engine.events.event import Event
+from casper.engine.live.listening import Listener
 from casper.engine.live.partners import Partners
 from casper.engine.mind import Mind
 from casper.engine.perception.world import WorldState
@@ -35,29 +36,21 @@ EVERY_STEP = ("focus", "movement")
 TOP = 2  # explanations of a reading
 
 
-class Recorder:
+class Recorder(Listener):
     """What was recorded so far of a domain's run."""
 
     def __init__(self, domain: Domain) -> None:
+        super().__init__()
         self.domain, self.room, self.words = domain, room_of(domain), spoken(domain.kb)
         self._states: Thinned[WorldState] = Thinned(MOST_STATES)
         self._often: dict[str, Thinned[tuple[int, Event]]] = {kind: Thinned(MOST_OF_A_STEP) for kind in EVERY_STEP}
         self._seldom: list[tuple[int, Event, Evidence]] = []
         self._number = 0
         self._lost: dict[str, int] = {}
-        self._last: float | None = None
 
-    def heard(self, events: Iterable[Event], minds: Partners) -> Iterator[Event]:
-        """The events of a run, recorded on their way."""
-        for event in events:
-            self.take(event, minds)
-            yield event
-
-    def see(self, world: WorldState | None) -> None:
-        """A world state; one that is no later than the last is left out."""
-        if world is not None and (self._last is None or world.t > self._last):
-            self._last = world.t
-            self._states.add(world)
+    def seen(self, world: WorldState) -> None:
+        """A world state, kept."""
+        self._states.add(world)
 
     def take(self, event: Event, minds: Partners | Mind) -> None:
         """An event, while the minds still know what stood behind it."""

@@ -5,19 +5,17 @@
     for event in log.heard(trial.events(), trial.minds):
         …
     log.close()
-
-It listens as `casper.report.recorder.Recorder` does.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 from casper.engine.domain.domain import Domain
 from casper.engine.events.event import Event
 from casper.engine.events.timeline import Timeline
+from casper.engine.live.listening import Listener
 from casper.engine.live.partners import Partners
 from casper.engine.mind import Mind
 from casper.engine.perception.world import WorldState
@@ -33,7 +31,7 @@ from casper.sim_adapter.room.facts import scene_of
 TIME = "time"  # the one time line: seconds from the beginning of the run
 
 
-class Log:
+class Log(Listener):
     """Writes a run to an .rrd file.
 
     Args:
@@ -44,6 +42,7 @@ class Log:
     def __init__(self, domain: Domain, path: Path) -> None:
         import rerun
 
+        super().__init__()
         self.domain = domain
         self.stream: Any = rerun.RecordingStream("casper", send_properties=False)
         try:
@@ -56,20 +55,11 @@ class Log:
         self.stream.set_log_tick_enabled(False)
         self._room = Room(self.stream, domain.robot, scene)
         self._timeline = Timeline(domain.partner, domain.robot, spoken(domain.kb))
-        self._last: float | None = None
 
-    def heard(self, events: Iterable[Event], minds: Partners) -> Iterator[Event]:
-        """The events of a run, recorded on their way."""
-        for event in events:
-            self.take(event, minds)
-            yield event
-
-    def see(self, world: WorldState | None) -> None:
-        """A world state; one that is no later than the last is left out."""
-        if world is not None and (self._last is None or world.t > self._last):
-            self._last = world.t
-            self.stream.set_time(TIME, duration=world.t)
-            self._room.show(world)
+    def seen(self, world: WorldState) -> None:
+        """A world state, shown where it is on the time line."""
+        self.stream.set_time(TIME, duration=world.t)
+        self._room.show(world)
 
     def take(self, event: Event, minds: Partners | Mind) -> None:
         """An event, while the minds still know what stood behind it."""

@@ -46,22 +46,18 @@ def record(
     """
     from casper.cli.terminal.output import print_json
     from casper.cli.terminal.showing import complain
+    from casper.cli.watching.streaming import opened
     from casper.engine.domain.domain import Domain
     from casper.engine.live import Partners
-    from casper.streams.order.window import check_window, usual_window
     from casper.streams.recordings.header import header_of
     from casper.streams.recordings.writing import check_recording, recording
-    from casper.streams.sources.source import source_of
     from casper.streams.watching import recorded
 
     check_recording(file)
     loaded = Domain.load(domain, language)
     chosen = {"verification": not no_verification, "policy": policy, "noise": noise, "goals": goals, "stops": stop}
     Partners(loaded, **chosen)  # a mistake in the options is told before anything is recorded
-    if window is not None:
-        check_window(window)
-    stream = source_of(source, listen, reconnect, complain)
-    seconds = usual_window(stream.is_live) if window is None else window
+    stream, seconds = opened(source, listen, reconnect, window)
     left_out = 0
     with recording(file, header_of(loaded, language, chosen)) as writer:
         assert writer is not None

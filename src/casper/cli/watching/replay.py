@@ -24,32 +24,25 @@ def replay(
 
     Exit code 1 when they said something else when it was recorded; what has changed since then is told.
     """
-    from casper.cli.terminal.output import console, print_json
     from casper.cli.terminal.pacing import check_speed, paced
-    from casper.cli.terminal.showing import complain, show
-    from casper.engine.events.timeline import Timeline
+    from casper.cli.terminal.showing import complain
+    from casper.cli.watching.telling import Teller, listening
+    from casper.engine.live.listening import followed
     from casper.engine.live.memory import keep_loaded, tidied
-    from casper.report.writing import reporting
     from casper.streams.recordings.replaying import Replay
 
     check_speed(speed)
     again = Replay(file, domain)
     for difference in again.differences:
         complain(difference)
-    loaded, minds = again.domain, again.minds
-    out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
+    teller = Teller(again.domain, as_json, quiet)
     keep_loaded()
-    with reporting(loaded, report) as recorder:
-        if not as_json and not quiet and again.header.seed is not None:
-            show(out, timeline.open(loaded.name, again.header.seed))
-        for event in tidied(paced(again.events(), speed, None)):
-            if recorder is not None:
-                recorder.see(minds.tracker.latest)
-                recorder.take(event, minds)
-            if as_json:
-                print_json(event.to_json())
-            elif not quiet or event.type == "summary":
-                show(out, timeline.lines(event))
+    with listening(again.domain, report) as listeners:
+        if again.header.seed is not None:
+            teller.open(again.header.seed)
+        events = tidied(paced(again.events(), speed, None))
+        for event in followed(events, listeners, lambda: again.minds):
+            teller.tell(event)
     if again.end:
         complain(again.end)
     if again.is_same is False:

@@ -53,18 +53,14 @@ def watch(
 
     Exit code 1 when a connection was lost before it was ended.
     """
-    from casper.cli.terminal.output import console, print_json
-    from casper.cli.terminal.showing import complain, show
+    from casper.cli.watching.streaming import opened
+    from casper.cli.watching.telling import Teller, listening
     from casper.engine.domain.domain import Domain
-    from casper.engine.events.timeline import Timeline
     from casper.engine.live import Live, Partners
+    from casper.engine.live.listening import followed
     from casper.engine.live.memory import keep_loaded, tidied
-    from casper.report.writing import reporting
-    from casper.rrd.writing import logging
-    from casper.streams.order.window import check_window, usual_window
     from casper.streams.recordings.header import header_of
     from casper.streams.recordings.writing import check_recording, recording
-    from casper.streams.sources.source import source_of
     from casper.streams.watching import watched
 
     if record is not None:
@@ -74,23 +70,15 @@ def watch(
     chosen = {"verification": not no_verification, "policy": policy, "noise": noise, "goals": goals, "stops": stop}
     chosen["certainty"] = certainty
     live = Live(Partners(loaded, **chosen))
-    if window is not None:
-        check_window(window)
-    stream = source_of(source, listen, reconnect, complain)
-    seconds = usual_window(stream.is_live) if window is None else window
-    out, timeline = console(), Timeline(loaded.partner, loaded.robot, loaded.kb.words)
+    stream, seconds = opened(source, listen, reconnect, window)
+    teller = Teller(loaded, as_json)
     keep_loaded()
     written = recording(record, header_of(loaded, language, chosen))
-    with written as writer, reporting(loaded, report) as page, logging(loaded, rerun) as log:
+    with written as writer, listening(loaded, report, rerun) as listeners:
         events = watched(live, stream.items(), reload, seconds, writer)
-        for event in tidied(events if writer is None else writer.heard(events)):
-            for listener in (listener for listener in (page, log) if listener is not None):
-                listener.see(live.mind.tracker.latest)
-                listener.take(event, live.mind)
-            if as_json:
-                print_json(event.to_json())
-            else:
-                show(out, timeline.lines(event))
+        events = tidied(events if writer is None else writer.heard(events))
+        for event in followed(events, listeners, lambda: live.mind):
+            teller.tell(event)
     raise typer.Exit(1 if stream.lost else 0)
 
 
