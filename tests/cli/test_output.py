@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 import casper.cli as cli
 from casper.cli.asking.session import Session
+from casper.cli.authoring.movements import tell
 from casper.cli.terminal.output import console
 from casper.cli.terminal.plain import SIGNS, settle_streams, visible
 from casper.cli.terminal.showing import say, show
@@ -116,7 +117,7 @@ def test_nothing_is_cut_off_in_a_narrow_terminal(casper, monkeypatch):
 def test_the_table_of_training_is_whole_in_a_narrow_terminal(monkeypatch, capsys):
     monkeypatch.setenv("COLUMNS", "20")
     labels = ("a:x:b", "[bold]", "transportation")
-    sys.modules[cli.train.__module__]._tell(
+    tell(
         Evaluation(1.0, {0: 1.0}, {a: {b: 7 * (a == b) for b in labels} for a in labels}, labels), 21, Path("[x]:x:.pl"), False
     )
     lines = capsys.readouterr().out.splitlines()

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from casper.cli.terminal.options import AsJson, DomainName, Goals, Language, Noise, PolicyName, Quiet, Unverified
 from casper.kb.errors import CasperError
+
+if TYPE_CHECKING:
+    from casper.engine.reading.reading import Reading
+    from casper.kb.text.lines import Line
 
 
 def explain(
@@ -39,8 +44,6 @@ def explain(
 ) -> None:
     """Explain observed actions: after each one, the goals, the best explanations, and why the others are out."""
     from casper.cli.terminal.hints import hint
-    from casper.cli.terminal.output import console, print_json
-    from casper.cli.terminal.showing import show
     from casper.engine.domain.domain import Domain
 
     if changes is not None:
@@ -49,10 +52,7 @@ def explain(
         day = Domain.load(domain, language).day(abandon=changes, needless=noise, verification=not no_verification)
         for action in actions:
             day.observe(action)
-            if as_json:
-                print_json(day.to_json(top))
-            else:
-                show(console(), day.lines(top))
+            _tell(day.to_json(top) if as_json else day.lines(top))
         return
     if picture is not None:
         from casper.engine.explanation.pictures import check_picture
@@ -62,14 +62,27 @@ def explain(
     reading = loaded.reading(policy, verification=not no_verification, noise=noise, goals=goals)
     for action in actions:
         reading.observe(action)
-        if as_json:
-            asked = {"questions": [q.to_json() for q in reading.questions()[:questions]]} if questions else {}
-            print_json({**reading.to_json(top), **asked})
-        else:
-            show(console(), reading.lines(top, questions))
+        _tell(_json(reading, top, questions) if as_json else reading.lines(top, questions))
     if not reading.count and not no_verification:
         hint(loaded, actions, quiet)
     if picture is not None:
         from casper.engine.explanation.pictures import save_picture
 
         save_picture([part for explanation in reading.best(max(top, 1)) for part in explanation.parts], picture)
+
+
+def _json(reading: Reading, top: int, questions: int) -> dict[str, Any]:
+    """A reading's data, with the questions to ask where some are wanted."""
+    asked = {"questions": [q.to_json() for q in reading.questions()[:questions]]} if questions else {}
+    return {**reading.to_json(top), **asked}
+
+
+def _tell(told: dict[str, Any] | Iterator[Line]) -> None:
+    """Print what was read after an action: its data, or its lines."""
+    from casper.cli.terminal.output import console, print_json
+    from casper.cli.terminal.showing import show
+
+    if isinstance(told, dict):
+        print_json(told)
+    else:
+        show(console(), told)
