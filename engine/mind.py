@@ -7,8 +7,7 @@ It never ends: what a partner does is read episode after episode (`engine.readin
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import asdict, replace
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
@@ -17,11 +16,12 @@ from casper.engine.actions.contexts import Contexts, skills_of
 from casper.engine.actions.expecting import weights
 from casper.engine.actions.prediction import Prediction
 from casper.engine.collaboration.acting import acting_settings
+from casper.engine.collaboration.printing import supervisor_lines
 from casper.engine.collaboration.supervisor import Supervisor
 from casper.engine.domain.agents import check_agents
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
-from casper.engine.events.printing import Names, plan_lines, prediction_lines
+from casper.engine.events.printing import Names
 from casper.engine.movements.leaves import TIMED
 from casper.engine.movements.movements import movement_classifier
 from casper.engine.perception.about import About, Handled, about
@@ -33,20 +33,20 @@ from casper.engine.perception.told import focus_event, jumps
 from casper.engine.perception.tracking import Tracker, tracker_settings
 from casper.engine.perception.world import Doubt, WorldState
 from casper.engine.reading.course import Course
-from casper.engine.reading.doubting import Doubting, keeps_goal
+from casper.engine.reading.observing.doubting import Doubting, keeps_goal
+from casper.engine.reading.observing.judging import Judging
+from casper.engine.reading.observing.stages import movement_event
+from casper.engine.reading.observing.stating import Stating
 from casper.engine.reading.reading import Reading
 from casper.engine.reading.segments import Segments
-from casper.engine.reading.stages import movement_event, verdict_event
-from casper.engine.reading.stating import Stating
-from casper.engine.verification.assumed import Assumed, assumed
 from casper.engine.verification.doubtful import Judged
-from casper.engine.verification.history import Done, History, history_settings
-from casper.engine.verification.observation import Observation, Seen
+from casper.engine.verification.forgetting import Forgetting
+from casper.engine.verification.history import History, history_settings
+from casper.engine.verification.observation import Seen
 from casper.engine.verification.unwatched import CARRYING, Unwatched
-from casper.engine.verification.verification import Statement, Verifier
+from casper.engine.verification.verification import Verifier
 from casper.kb.base import KnowledgeBase
-from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, as_term
+from casper.kb.terms.terms import Compound
 from casper.kb.text.lines import Line, Span, line, one_line, text_of
 
 
@@ -110,19 +110,16 @@ class Mind:
         self._remembers = bool(domain.kb.asks_outside)
         seen = (lambda: self.known) if self._remembers else None
         self.verifier = Verifier(domain.kb, self.history, seen) if verification and domain.verifies else None
-        self._earlier: Sequence[Done] = ()  # what was done before the last action, as far as rules look back
         self._fresh = partial(domain.reading, **choices, partner=self.partner)
         self._in_doubt = domain.prices.needless if noise is None and not stops else noise  # price where eyes are poor
         acting, robot = acting_settings(rows, certainty), domain.robot if helps else None
-        self.course = Course(self.partner, robot, self._begun, segments, stops=stops, acting=acting)
         asked = Contexts(domain.kb), self.history, lambda: self.known
         self._stating = Stating(self.partner, *asked, self.verifier, self._begun, self._known_actions)
+        self._judging = Judging(self._stating, [n for n in self._known_actions if self._skills.get(n, n) == CARRYING])
+        self.course = Course(self.partner, robot, self._begun, segments, stops=stops, acting=acting)
         self.doubting: Doubting | None = None  # where the tracker is not sure of what it tells
-        self._refused: str | None = None  # the statement that was refused last: its verdict is told once
-        self._accepted: Observation | None = None  # the last action
-        self._assumed: Assumed | None = None  # where it is done, where that was not seen yet
         self._unwatched = Unwatched(self.partner)
-        self._lost: Compound | None = None  # what was told last of what is forgotten
+        self._forgetting = Forgetting(self.history, domain.kb)
 
     @property
     def known(self) -> KnowledgeBase:
@@ -131,7 +128,7 @@ class Mind:
 
     def _begun(self) -> Reading:
         """A reading in which nothing was observed, after what was done earlier."""
-        return self._fresh(earlier=self._earlier)
+        return self._fresh(earlier=self._judging.earlier)
 
     def reading_after(self, t: float) -> Reading:
         """A reading in which nothing was observed, after what was done before that time."""
@@ -179,26 +176,21 @@ class Mind:
         if prediction is not None:
             about = self._about(focus, world, handled)
             events += [event.about(self.partner) for event in self._consider(prediction, about, world)]
-        if self._assumed is not None:
+        if self._judging.assumed is not None:
             events += self._put_elsewhere(relations, world)
         return events
 
     def _infer(self, thing: str, place: str, t: float) -> Iterator[Event]:
         """A thing lies where nobody saw it brought: a step of a goal that was taken to be given up, perhaps."""
-        for action in (name for name in self._known_actions if self._skills.get(name, name) == CARRYING):
-            statement = Statement(t, self.partner, action, thing, place)
-            if self.verifier is None or self.verifier.judge(statement).valid:
-                yield from self.course.inferred(Observation(action, (thing, place), t), t)
+        for action in self._judging.brought(thing, place, t):
+            yield from self.course.inferred(action, t)
 
     def _put_elsewhere(self, relations: Relations, world: WorldState) -> list[Event]:
         """What was taken to be brought to the one place where it may go, and was put down elsewhere, is taken back."""
-        made, action = self._assumed, self._accepted
-        was_put = None if made is None else made.update(relations, world)
-        if made is None or action is None or was_put is None:
+        found = self._judging.put_elsewhere(relations, world)
+        if found is None:
             return []
-        self._assumed = None
-        if was_put:
-            return []
+        action, made = found
         self.history.forget(Compound((action.action, self.partner, *(action.args or ()))))
         told = self.reading.tell.phrase("put elsewhere", made.target, made.place)
         return list(self.course.refuted(action, world.t, told))
@@ -238,16 +230,8 @@ class Mind:
         """What a person is shown: who watches whom, the reading, the goal believed in, and the robot's part."""
         yield line(Span(self.domain.name, "strong"), f": {self.domain.robot} watches {self.partner}")
         yield from self.reading.lines()
-        made = self.supervisor.commitment
-        if made is not None:
-            names = Names(self.partner, self.domain.robot, self.domain.kb.words)
-            yield from prediction_lines(made.t, {"goal": made.goal, **self.supervisor.summary()}, names)
-        if made is not None and self.supervisor.robot is not None:
-            waiting, actions = (
-                [term_text(as_term(action)) for action in part]
-                for part in (self.supervisor.waiting, self.supervisor.actions)
-            )
-            yield from plan_lines(self.supervisor.robot, waiting, actions, self.reading.tell)
+        names = Names(self.partner, self.domain.robot, self.domain.kb.words)
+        yield from supervisor_lines(self.supervisor, names)
 
     def __str__(self) -> str:
         return text_of(self.lines())
@@ -269,70 +253,26 @@ class Mind:
 
     def _take(self, doubting: Doubting, found: Judged | None, score: float, t: float) -> Iterator[Event]:
         """What seems to have happened is passed on to the reading."""
-        if found is None or str(found.statement) == self._refused:
-            return
-        yield self._action_event(str(found.statement), score, t)
-        if found.verdict is not None:
-            yield verdict_event(t, found.verdict)
-        if found.seen is None:
-            self._refused = str(found.statement)
-            return
-        if self.verifier is not None and found.verdict is not None:
-            self._earlier = tuple(self.verifier.looked_at)
-            self.verifier.accept(found.verdict, t)
-        seen = replace(found.seen, certainty=min(score, 1.0)) if isinstance(found.seen, Observation) else found.seen
-        self._refused = None
-        self.actions.accept()
-        doubting.accepted()
-        yield from self._read(seen, t)
-        self.actions.expect(weights(self.reading.next_actions, self._skills, self.actions.scores))
+        seen = yield from self._judging.of_doubt(found, score, t, self.actions.misread)
+        if seen is not None:
+            self.actions.accept()
+            doubting.accepted()
+            yield from self._read(seen, t)
+            self.actions.expect(weights(self.reading.next_actions, self._skills, self.actions.scores))
 
     def _consider(self, prediction: Prediction, about: About, world: WorldState) -> Iterator[Event]:
         """An action seems to have happened: put it into context, verify it, and pass it on to the reading."""
         if self.doubting is not None:
             yield from self._take(self.doubting, self.doubting.judged(prediction), prediction.score, prediction.t)
             return
-        before = self._stating.doubt
-        statement = self._stating.of(prediction, about, world)
-        if statement is None:
-            if self._stating.doubt not in ("", before):
-                yield Event("warning", prediction.t, {"message": self._stating.doubt})
-            return  # not yet known what it means; the prediction stands, and the next step may tell
-        if str(statement) == self._refused:
-            return
-        yield self._action_event(str(statement), prediction.score, prediction.t)
-        observation: Observation | None
-        if self.verifier is not None:
-            verdict = self.verifier.judge(statement)
-            yield verdict_event(prediction.t, verdict)
-            if not verdict.valid:
-                self._refused = str(statement)
-                return
-            self._earlier = tuple(self.verifier.looked_at)
-            observation = self.verifier.accept(verdict, prediction.t)
-        else:
-            observation = Observation(statement.action, t=prediction.t)
-        observation = replace(observation, certainty=min(prediction.score, 1.0))
-        self._refused, self._accepted = None, observation
-        self._assumed = assumed(statement.destination, observation.args or ())
-        self.actions.accept()
-        yield from self._read(observation, prediction.t)
-
-    def _action_event(self, statement: str, score: float, t: float) -> Event:
-        misread = [asdict(each) for each in self.actions.misread()]
-        return Event("action", t, {"statement": statement, "score": score, "misread": misread})
+        seen = yield from self._judging.of(prediction, about, world, self.actions.misread)
+        if seen is not None:
+            self.actions.accept()
+            yield from self._read(seen, prediction.t)
 
     def _read(self, observation: Seen, t: float) -> Iterator[Event]:
         if observation.action not in self._known_actions:
             yield Event("warning", t, {"message": f"{observation} is in no plan; it explains nothing"})
             return
-        yield from self._forgotten(t)
+        yield from self._forgetting.told(t)
         yield from self.course.read(observation, t)
-
-    def _forgotten(self, t: float) -> Iterator[Event]:
-        """What rules on did/2 no longer see is said."""
-        lost = self.history.lost
-        if lost is not None and lost != self._lost and self.domain.kb.depends_on_history:
-            self._lost = lost
-            room = f"setting(verification, remembered, {self.history.most}) leaves no room for it"
-            yield Event("warning", t, {"message": f"did/2 no longer has {term_text(as_term(lost))}: {room}"})

@@ -6,7 +6,7 @@ from casper import Domain
 from casper.engine.mind import Mind
 from casper.engine.perception.focus import Focus
 from casper.engine.perception.world import AgentState, Doubt, ObjectState, WorldState
-from casper.engine.reading.doubting import Doubting, keeps_goal
+from casper.engine.reading.observing.doubting import Doubting, keeps_goal
 from casper.engine.verification.observation import Observation
 from casper.kb.terms.terms import Compound
 

@@ -13,8 +13,8 @@ from casper.engine.collaboration.acting import DOUBTFUL
 from casper.engine.perception.about import about_nearby
 from casper.engine.perception.focus import Focus
 from casper.engine.perception.world import Doubt, WorldState
+from casper.engine.reading.observing.stating import Stating
 from casper.engine.reading.reading import Reading
-from casper.engine.reading.stating import Stating
 from casper.engine.verification.doubtful import Judged, judged
 from casper.engine.verification.observation import Seen
 from casper.engine.verification.verification import Statement
