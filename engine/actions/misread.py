@@ -13,6 +13,7 @@ from casper.engine.actions.prediction import Misread
 
 MOST_RUNS = 60  # of equal movements that are looked back on
 LEAST = 1e-12
+NEVER = -math.inf
 KEPT = 16  # times between two runs whose ways are kept
 
 
@@ -62,17 +63,20 @@ class Trail:
 
     def _path(self, action: str) -> list[int]:
         """The likeliest state of each run, if in the end the action has happened."""
-        states, back = self._model.states, list[dict[int, int]]()
-        best: dict[int, float] = {}
+        named = [state.movement for state in self._model.states]
+        back = list[list[int]]()
+        best: list[float] = []  # of each state, the logarithm of the likeliest way there
         before: _Run | None = None
         for run in self._runs:
-            came: dict[int, int] = {}
-            reached = self._begun() if before is None else self._onward(best, run, before, came)
-            best = {i: p + run.weights.get(states[i].movement, -math.inf) for i, p in reached.items()}
-            best = {i: p + self._stays(i, run.ends - run.begins) for i, p in best.items()}
+            if before is None:
+                reached, came = self._begun(), list[int]()
+            else:
+                reached, came = self._onward(best, run.begins - before.ends)
+            weights, stays = run.weights, self._stay(run.ends - run.begins)
+            best = [p + weights.get(name, NEVER) + stays[name] for p, name in zip(reached, named)]
             back.append(came)
             before = run
-        ends = [i for i in best if self._model.complete[i] == action]
+        ends = [i for i, p in enumerate(best) if p > NEVER and self._model.complete[i] == action]
         if not ends:
             return []
         path = [max(ends, key=best.__getitem__)]
@@ -80,41 +84,43 @@ class Trail:
             path.append(came[path[-1]])
         return path[::-1]
 
-    def _begun(self) -> dict[int, float]:
+    def _begun(self) -> list[float]:
         """Where it began; of a long time without an action the beginning is forgotten."""
         if len(self._runs) == MOST_RUNS:
-            return dict.fromkeys(range(len(self._model.states)), 0.0)
-        reached: dict[int, float] = {}
+            return [0.0] * len(self._model.states)
+        reached = [NEVER] * len(self._model.states)
         for index, p in self._start.items():
             for to, chance in ((index, 1.0), *self._model.arcs[index]):
-                reached[to] = max(reached.get(to, -math.inf), math.log(max(p * chance, LEAST)))
+                reached[to] = max(reached[to], math.log(max(p * chance, LEAST)))
         return reached
 
-    def _onward(self, best: Mapping[int, float], run: _Run, before: _Run, came: dict[int, int]) -> dict[int, float]:
-        """How well each state is reached from the run before, and from where."""
-        reached: dict[int, float] = {}
-        ways, nowhere = self._ways(run.begins - before.ends), -math.inf
-        for index, p in best.items():
-            for to, weight in ways[index]:
-                total = p + weight
-                if total > reached.get(to, nowhere):
-                    reached[to], came[to] = total, index
-        return reached
+    def _onward(self, best: list[float], dt: float) -> tuple[list[float], list[int]]:
+        """How well each state is reached so much later, and from which."""
+        reached, came = [NEVER] * len(best), [-1] * len(best)
+        for index, (p, ways) in enumerate(zip(best, self._ways(dt))):
+            if p > NEVER:
+                for to, weight in ways:
+                    total = p + weight
+                    if total > reached[to]:
+                        reached[to] = total
+                        came[to] = index
+        return reached, came
 
     def _ways(self, dt: float) -> list[list[tuple[int, float]]]:
         """By state, where one is so much later, and the logarithm of the chance; kept, as most steps are equal."""
         if dt not in self._kept:
             if len(self._kept) == KEPT:
                 self._kept.clear()
-            self._kept[dt] = [self._ways_from(index, dt) for index in range(len(self._model.states))]
+            stays = self._stay(dt)
+            self._kept[dt] = [self._ways_from(index, stays) for index in range(len(self._model.states))]
         return self._kept[dt]
 
-    def _ways_from(self, index: int, dt: float) -> list[tuple[int, float]]:
-        stays = math.exp(self._stays(index, dt))
+    def _ways_from(self, index: int, stay: Mapping[str, float]) -> list[tuple[int, float]]:
+        stays = math.exp(stay[self._model.states[index].movement])
         change = max(1.0 - stays, LEAST)
         ways = ((index, stays), *((to, change * chance) for to, chance in self._model.arcs[index]))
         return [(to, math.log(max(chance, LEAST))) for to, chance in ways]
 
-    def _stays(self, index: int, dt: float) -> float:
-        """The logarithm of the chance that a movement goes on for so long."""
-        return -max(dt, 0.0) / self._durations[self._model.states[index].movement].mean
+    def _stay(self, dt: float) -> dict[str, float]:
+        """By movement, the logarithm of the chance that it goes on for so long."""
+        return {name: -max(dt, 0.0) / each.mean for name, each in self._durations.items()}
