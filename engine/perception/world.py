@@ -72,7 +72,7 @@ class ObjectState:
 _x, _y, _z = setters(ObjectState)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, init=False)
 class WorldState:
     """The paper's World State: time (seconds), agents and objects by name, as seen at that moment.
 
@@ -83,6 +83,11 @@ class WorldState:
     agents: Mapping[str, AgentState]
     objects: Mapping[str, ObjectState]
 
+    def __init__(self, t: float, agents: Mapping[str, AgentState], objects: Mapping[str, ObjectState]) -> None:
+        _t(self, t)
+        _agents(self, agents)
+        _objects(self, objects)
+
     def lines(self) -> Iterator[Line]:
         """What a person is shown."""
         return world_lines(self.t, self.agents, self.objects)
@@ -92,6 +97,9 @@ class WorldState:
 
     def __repr__(self) -> str:
         return one_line(f"WorldState at {self.t:g} s: {', '.join((*self.agents, *self.objects))}")
+
+
+_t, _agents, _objects = setters(WorldState)
 
 
 def world_state_from_json(data: str | bytes | Mapping[str, Any]) -> WorldState:

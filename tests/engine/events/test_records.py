@@ -7,9 +7,10 @@ from casper.engine.events import Event
 from casper.engine.movements.movements import Movement
 from casper.engine.perception.focus import Focus
 from casper.engine.perception.perception import Relations
-from casper.engine.perception.world import AgentState, ObjectState
+from casper.engine.perception.world import AgentState, ObjectState, WorldState
+from casper.streams.items import Given, Line
 
-RECORDS = (AgentState, Event, Focus, Movement, ObjectState, Relations)
+RECORDS = (AgentState, Event, Focus, Given, Line, Movement, ObjectState, Relations, WorldState)
 
 
 @pytest.mark.parametrize("kind", RECORDS)
