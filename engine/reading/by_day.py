@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from casper.engine.reading.reading import Reading
-from casper.engine.reading.segments import Begins, GoesOn, LeftOut, Placed, because_of, refusal_of
+from casper.engine.reading.segments import Begins, Candidates, GoesOn, LeftOut, Placed, because_of, refusal_of
 from casper.engine.reading.underway import Underway
 from casper.engine.verification.observation import Observation, Seen
 from casper.kb.terms.terms import Compound
@@ -67,15 +67,7 @@ class ByDay:
         """The robot's actions belong to the day, too."""
         self._day.observe(Observation(action.functor, action.args), t, robot)
 
-    def place(
-        self,
-        seen: Seen,
-        current: Underway,
-        helped: Sequence[Underway],
-        others: Sequence[Underway] = (),
-        t: float | None = None,
-        aside: Sequence[Underway] = (),
-    ) -> Placed:
+    def place(self, seen: Seen, among: Candidates, t: float | None = None) -> Placed:
         """See `Segments`."""
         self._day.observe(seen, t, self._agent)
         number = self._day.count
@@ -83,7 +75,8 @@ class ByDay:
         numbers = next((set(e.observations) for e in self._day.episodes if number in e.observations), None)
         if numbers is None:
             return LeftOut("serves no goal that is or could be pursued now and is left out")
-        open_ = [episode for episode in (current, *reversed(helped), *others) if episode.numbers & numbers]
+        nearest = (among.current, *reversed(among.helped), *among.others)
+        open_ = [episode for episode in nearest if episode.numbers & numbers]
         if open_ and open_[0].numbers == numbers - {number}:
             open_[0].reading.observe(seen)
             if open_[0].reading.count:
@@ -96,7 +89,7 @@ class ByDay:
         if open_:
             open_[0].read_anew(reading, numbers)
             return GoesOn(open_[0])
-        return Begins(self._because(seen, current), reading, frozenset(numbers))
+        return Begins(self._because(seen, among.current), reading, frozenset(numbers))
 
     def _because(self, seen: Seen, current: Underway) -> str:
         """Why it is no step of what is under way."""

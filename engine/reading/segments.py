@@ -59,27 +59,31 @@ MOST_ODD = 3  # actions in a row that fit nothing, and are looked at together
 LONGEST = 1000  # actions of one episode, needless ones among them; then another begins
 
 
+@dataclass(frozen=True, slots=True)
+class Candidates:
+    """The episodes that an action may belong to.
+
+    ``current`` is the one under way, perhaps without any action yet; ``helped`` are those of which only the robot's
+    part is left, oldest first; ``others`` the open ones of other partners; ``aside`` those that were taken to be given
+    up, the last first.
+    """
+
+    current: Underway
+    helped: Sequence[Underway] = ()
+    others: Sequence[Underway] = ()
+    aside: Sequence[Underway] = ()
+
+
 class Segments(Protocol):
     """Says of each action where it belongs."""
 
-    def place(
-        self,
-        seen: Seen,
-        current: Underway,
-        helped: Sequence[Underway],
-        others: Sequence[Underway] = (),
-        t: float | None = None,
-        aside: Sequence[Underway] = (),
-    ) -> Placed:
+    def place(self, seen: Seen, among: Candidates, t: float | None = None) -> Placed:
         """Where the partner's next action belongs.
 
         Args:
             seen: the action.
-            current: the episode under way, perhaps one without any action yet.
-            helped: those of which only the robot's part is left, oldest first.
-            others: the open episodes of other partners.
+            among: the episodes that come into question.
             t: when, in seconds.
-            aside: episodes that were taken to be given up, the last first.
         """
 
     def closed(self, episode: Underway) -> None:
@@ -109,16 +113,9 @@ class BySight:
     def did(self, action: Compound, robot: str, t: float) -> None:
         """Of no matter to what is seen next."""
 
-    def place(
-        self,
-        seen: Seen,
-        current: Underway,
-        helped: Sequence[Underway],
-        others: Sequence[Underway] = (),
-        t: float | None = None,
-        aside: Sequence[Underway] = (),
-    ) -> Placed:
+    def place(self, seen: Seen, among: Candidates, t: float | None = None) -> Placed:
         """See `Segments`."""
+        current, helped = among.current, among.helped
         is_open = bool(current.reading.observations)
         refusals = []
         for episode in ([current] if is_open else []) + list(reversed(helped)):
@@ -130,10 +127,10 @@ class BySight:
         if is_beginning(self._fresh(), seen):
             return Begins(because_of(refusals[0], current) if is_open else "")
         is_over = not is_open and self._last is not None and self._last.contains(seen)
-        for episode in aside if not is_over else ():
+        for episode in among.aside if not is_over else ():
             if comes_back(seen, episode):
                 return GoesOn(episode)
-        for episode in others if is_over else (*others, *aside):  # steps of it may have gone unseen
+        for episode in among.others if is_over else (*among.others, *among.aside):  # steps of it may have gone unseen
             if refusal_of(seen, episode) is None:
                 return GoesOn(episode)
         if is_open:
@@ -159,7 +156,6 @@ class BySight:
             return Begins(f"{LONGEST} actions were seen of it")
         current.reading.observe(seen)
         return GoesOn(current)
-
 
     def _fits_better(self, seen: Seen, current: Underway) -> Begins | None:
         """The action, which the episode has taken in, with what was left out, if a goal has as much by that."""

@@ -3,7 +3,8 @@
 import pytest
 
 from casper import Domain
-from casper.engine.reading.course import MOST_HELPED, Course
+from casper.engine.reading.course import Course
+from casper.engine.reading.episodes import MOST_HELPED
 from casper.engine.reading.policy import best
 from casper.engine.reading.reading import Reading
 from casper.engine.recognition.options import Options
