@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import Any
 
+from casper.engine.episodes.networks.items.numbering import numbered
 from casper.engine.episodes.networks.items.terms import (
     Env,
     Slot,
     key_of,
-    numbered,
     outward,
     resolved,
     slots_in,

@@ -10,6 +10,7 @@ from typing import Any, TypeAlias
 
 from casper.engine.episodes.networks.asking import Asking
 from casper.engine.episodes.networks.items.methods import Methods
+from casper.engine.episodes.networks.items.numbering import numbered
 from casper.engine.episodes.networks.items.terms import (
     CALL,
     LINK,
@@ -19,7 +20,6 @@ from casper.engine.episodes.networks.items.terms import (
     Row,
     Slot,
     key_of,
-    numbered,
     resolve,
     resolved,
     slots_in,

@@ -13,10 +13,10 @@ from typing import Any
 
 from casper.engine.episodes.growing import Step
 from casper.engine.episodes.networks.asking import Asking
-from casper.engine.episodes.networks.derivation import Done
 from casper.engine.episodes.networks.growth import FREE, Growth
 from casper.engine.episodes.networks.items.compiling import indicator
 from casper.engine.episodes.networks.items.methods import Methods
+from casper.engine.episodes.networks.items.numbering import numbered
 from casper.engine.episodes.networks.items.terms import (
     CALL,
     COND,
@@ -26,12 +26,12 @@ from casper.engine.episodes.networks.items.terms import (
     Slot,
     inward,
     key_of,
-    numbered,
     outward,
     slot,
 )
 from casper.engine.episodes.networks.remembering import Asked, Failed
 from casper.engine.episodes.networks.state import State
+from casper.engine.episodes.networks.whole.derived import Done
 from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.kb.errors import PlanError
 from casper.kb.terms.clauses import Indicator

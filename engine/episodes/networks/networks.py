@@ -13,13 +13,14 @@ from typing import TYPE_CHECKING, Any
 
 from casper.engine.collaboration.collaboration import CollaborativePlan, longest_run
 from casper.engine.episodes.growing import Taken
-from casper.engine.episodes.networks.derivation import Done, derivation, drawn
-from casper.engine.episodes.networks.frontier import Frontier, Leaf
 from casper.engine.episodes.networks.going import Going
 from casper.engine.episodes.networks.items.compiling import indicator
 from casper.engine.episodes.networks.items.methods import Methods
 from casper.engine.episodes.networks.items.terms import Slot, inward, moved, outward, slots_of
 from casper.engine.episodes.networks.state import State
+from casper.engine.episodes.networks.whole.derivation import derivation
+from casper.engine.episodes.networks.whole.derived import Done, drawn
+from casper.engine.episodes.networks.whole.frontier import Frontier, Leaf
 from casper.engine.verification.matching import ROBOT
 from casper.engine.verification.observation import Seen, options_of
 from casper.kb.terms.clauses import Indicator

@@ -13,6 +13,7 @@ from casper.engine.episodes.networks.asking import Asking
 from casper.engine.episodes.networks.closing import Closing
 from casper.engine.episodes.networks.items.compiling import indicator
 from casper.engine.episodes.networks.items.methods import Methods
+from casper.engine.episodes.networks.items.numbering import numbered
 from casper.engine.episodes.networks.items.terms import (
     ACT,
     ALT,
@@ -25,7 +26,6 @@ from casper.engine.episodes.networks.items.terms import (
     Row,
     filled,
     moved,
-    numbered,
     slot,
     slots_of,
     unified,

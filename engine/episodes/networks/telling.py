@@ -12,9 +12,9 @@ from dataclasses import dataclass, field
 from heapq import nlargest
 from typing import Any, NamedTuple, TypeAlias
 
-from casper.engine.episodes.networks.derivation import as_task
 from casper.engine.episodes.networks.networks import Networks
 from casper.engine.episodes.networks.state import State
+from casper.engine.episodes.networks.whole.derived import as_task
 from casper.engine.explanation.explanation import Explanation
 from casper.engine.recognition.kernels.paths import best_first
 from casper.engine.recognition.options import Options

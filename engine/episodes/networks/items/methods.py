@@ -13,6 +13,7 @@ from typing import Any
 
 from casper.engine.episodes.networks.items.compiling import Compiled, compiled, indicator
 from casper.engine.episodes.networks.items.corners import Corners
+from casper.engine.episodes.networks.items.numbering import numbered
 from casper.engine.episodes.networks.items.terms import (
     ACT,
     ALT,
@@ -26,7 +27,6 @@ from casper.engine.episodes.networks.items.terms import (
     Env,
     Row,
     filled,
-    numbered,
     slot,
     unified,
 )

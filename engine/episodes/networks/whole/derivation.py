@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from math import inf
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
 from casper.engine.episodes.networks.asking import Asking
 from casper.engine.episodes.networks.items.compiling import indicator
@@ -25,29 +25,15 @@ from casper.engine.episodes.networks.items.terms import (
     Env,
     Row,
     filled,
-    outward,
     resolve,
     slot,
     slots_of,
     unified,
 )
 from casper.engine.episodes.networks.remembering import Asked, Failed
-from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, Term, as_term
-from casper.plans.trees.nodes import Action, Node, Task
-
-if TYPE_CHECKING:
-    import networkx as nx
+from casper.engine.episodes.networks.whole.derived import Done, Part, resolved
 
 MOST_STEPS = 2_000  # items looked at
-Part: TypeAlias = "int | Done"  # a leaf by its number, or a task
-
-
-class Done(NamedTuple):
-    """A task, and what it was done by, in the order of the plan."""
-
-    term: Any
-    parts: tuple[Part, ...]
 
 
 class _Way(NamedTuple):
@@ -89,7 +75,7 @@ class _Search:
         """The goal with everything bound that is known at the end."""
         (goal,) = way.parts
         assert isinstance(goal, Done)
-        return _resolved(goal, way.env)
+        return resolved(goal, way.env)
 
     def row(self, row: Row, way: _Way, is_free: bool) -> Iterator[_Way]:
         """Every way to do a row; where it is free, leaves that others take may lie between its own."""
@@ -200,55 +186,3 @@ def _also(before: tuple[int, ...], offered: tuple[int, ...], left: tuple[int, ..
         return left
     taken = set(offered) - set(left)
     return tuple(at for at in before if at not in taken)
-
-
-def _resolved(task: Done, env: Env) -> Done:
-    parts = tuple(part if isinstance(part, int) else _resolved(part, env) for part in task.parts)
-    return Done(resolve(task.term, env), parts)
-
-
-def as_task(told: Done, actions: Sequence[Action]) -> Task | None:
-    """A derivation as a part of a plan, of these actions; None where they are not done in the order of the plan."""
-    in_order = iter(range(len(actions)))
-
-    def made(part: Done) -> Task | None:
-        children: list[Node] = []
-        for each in part.parts:
-            if isinstance(each, int):
-                child: Node | None = actions[each] if each == next(in_order) else None
-            else:
-                child = made(each)
-            if child is None:
-                return None
-            children.append(child)
-        return Task(outward(part.term), tuple(children))
-
-    return made(told)
-
-
-def drawn(told: Done, rows: Sequence[tuple[Compound, str, Term | None]]) -> nx.DiGraph:
-    """A derivation as a tree (attributes: `plans.trees.tree`); ``rows`` are its leaves: action, status, who does it."""
-    import networkx as nx
-
-    tree: nx.DiGraph = nx.DiGraph()
-
-    def grow(part: Part, above: int | None) -> str:
-        number = len(tree)
-        tree.add_node(number)
-        if above is not None:
-            tree.add_edge(above, number)
-        if isinstance(part, int):
-            action, status, by = rows[part]
-            node = {"term": term_text(as_term(action)), "name": action.functor, "kind": "action", "leaf": part}
-            tree.nodes[number].update(node, by=None if by is None else term_text(by))
-        else:
-            below = {grow(each, number) for each in part.parts}
-            status = "observed" if below == {"observed"} else "unobserved"
-            term: Compound = outward(part.term)
-            kind = "goal" if above is None else "task"
-            tree.nodes[number].update(term=term_text(as_term(term)), name=term.functor, kind=kind, leaf=None, by=None)
-        tree.nodes[number].update(status=status, optional=False, rival=None)
-        return status
-
-    grow(told, None)
-    return tree
