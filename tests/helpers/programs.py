@@ -6,9 +6,12 @@ from itertools import product
 
 from hypothesis import strategies as st
 
+from casper.kb.base import KnowledgeBase
+from casper.kb.program.program import Program, analyse
 from casper.kb.terms.clauses import Clause
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import is_ground, variables_of
+from casper.kb.text.reader import read_text
 from casper.testing.oracles.models import holds, match, model, put, solutions
 from casper.testing.strategies.programs import BASE, DERIVED, programs
 
@@ -66,6 +69,13 @@ texts = st.lists(sentences, max_size=4).map("\n% a comment, with 'quotes' and (b
 # --- statements over a program -----------------------------------------------------------------------------------------
 
 
+def program_of(text: str) -> Program:
+    """The program that a text states."""
+    base = KnowledgeBase()
+    base.add(read_text(text))
+    return analyse(base.clauses, base._stated.dynamic)
+
+
 def atoms_of(relations) -> set:
     """The rows of materialised relations, as atoms."""
     return {Compound((name, *row)) for (name, _), relation in relations.items() for row in relation}
@@ -90,6 +100,6 @@ def statements_over(values, predicates=DERIVED):
 
 
 __all__ = [
-    "BASE", "DERIVED", "atoms_of", "ground_terms", "holds", "match", "model", "programs", "put", "solutions", "undefined_of",
+    "BASE", "DERIVED", "atoms_of", "ground_terms", "holds", "match", "model", "program_of", "programs", "put", "solutions", "undefined_of",
     "variables_of",
 ]  # fmt: skip

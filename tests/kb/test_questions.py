@@ -178,6 +178,16 @@ def test_a_search_that_is_too_long_is_unknown_too():
         next(base.solver(budget=1000).solve(body))
 
 
+def test_a_query_can_be_bounded_in_time_and_cancelled():
+    base = KnowledgeBase.from_text("n(z). n(s(X)) :- n(X). loop(X) :- loop(X).")
+    with pytest.raises(BudgetExceeded, match="steps"):
+        list(base.query("n(X), X = never", budget=100))
+    with pytest.raises(BudgetExceeded, match="cancelled"):
+        list(base.query("n(X), n(Y), X = Y, X = never", cancelled=lambda: True))
+    with pytest.raises(BudgetExceeded, match="time was up"):
+        list(base.query("n(X), n(Y), X = Y, X = never", timeout=0.0))
+
+
 def test_one_search_never_mistakes_anothers_variables_for_its_own():
     text = """h(ann). h(bob). f(egg). odd(_, _).
     eat(X, A) :- h(X), f(A), odd(A, _).

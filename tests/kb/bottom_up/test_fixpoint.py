@@ -2,7 +2,7 @@
 
 import pytest
 from hypothesis import given
-from programs import atoms_of, match, model, programs, put, solutions, undefined_of
+from programs import atoms_of, match, model, program_of, programs, put, solutions, undefined_of
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.bottom_up import columnar
@@ -15,12 +15,6 @@ from casper.kb.errors import BudgetExceeded
 from casper.kb.program.program import analyse
 from casper.kb.terms.terms import Compound
 from casper.kb.text.reader import read_text
-
-
-def program_of(text):
-    base = KnowledgeBase()
-    base.add(read_text(text))
-    return analyse(base.clauses, base._stated.dynamic)
 
 
 def clauses_of(program):

@@ -1,6 +1,9 @@
 """Repairs: the smallest changes, how they are ordered, and what is beyond mending."""
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from programs import programs
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.reasons.repair import Repair
@@ -60,3 +63,20 @@ def test_a_clash_with_a_comparison_ends_when_its_facts_go():
 
 def test_changes_that_are_reached_in_two_orders_are_one_repair():
     assert repairs(":- dynamic([a/0, b/0]). go :- a, b. go :- b, a.", "go") == ["add a and add b"]
+
+
+@given(programs(negation=False), st.sampled_from([("d0", "a"), ("d1", "a", 1), ("d2", "b"), ("d4", 1)]))
+def test_a_repair_really_repairs_and_no_smaller_one_is_known(text, statement):
+    base = KnowledgeBase.from_text(text)
+    found = base.repair(statement)
+    for repair in found:
+        assert base.changed(repair).ask(statement)
+        assert repair.size == found[0].size
+        for fact in repair.add:
+            assert not base.changed(type(repair)(repair.add - {fact}, repair.remove)).ask(statement)
+
+
+def test_a_repair_respects_the_constraints():
+    text = 'human(ann). robot(tia). eat(X) :- human(X). never("one or the other") :- human(X), robot(X).'
+    (repair,) = KnowledgeBase.from_text(text).repair("eat(tia)")
+    assert repair.to_json() == {"add": ["human(tia)"], "remove": ["robot(tia)"]}

@@ -3,11 +3,10 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from programs import DERIVED, programs
+from programs import DERIVED, program_of, programs
 
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import BudgetExceeded, ProgramError, Undefined
-from casper.kb.program.program import analyse
 from casper.kb.relations.relation import Relation
 from casper.kb.store import on_demand
 from casper.kb.text.reader import read_text
@@ -171,11 +170,6 @@ def test_a_large_base_that_keeps_minima_is_listed():
     base = large("cost(X, C) :- price(X, C).", price=[(x % 7, x) for x in range(ROWS + 1)])
     base.add(read_text(":- table cost(_, min)."))
     assert list(base.query("cost(3, C)")) == [{"C": 3}]
-
-
-def program_of(text):
-    base = KnowledgeBase.from_text(text)
-    return analyse(base.clauses, base._stated.dynamic)
 
 
 class Asked(Relation):
