@@ -21,7 +21,7 @@ from casper.engine.collaboration.supervisor import Supervisor
 from casper.engine.domain.agents import check_agents
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
-from casper.engine.events.printing import Names
+from casper.engine.events.entries import Names
 from casper.engine.movements.leaves import TIMED
 from casper.engine.movements.movements import movement_classifier
 from casper.engine.perception.about import About, Handled, about

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from casper.engine.collaboration.supervisor import Supervisor
-from casper.engine.events.printing import Names, plan_lines, prediction_lines
+from casper.engine.events.entries import Names
+from casper.engine.events.printing import plan_lines, prediction_lines
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
 from casper.kb.text.lines import Line

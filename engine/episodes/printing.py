@@ -6,12 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Protocol
 
 from casper.engine.episodes.episode import Account, Episode, Needless
-from casper.engine.events.printing import shares_table
+from casper.engine.events.shares import heading, shares_lines
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
-from casper.kb.text.lines import Line, Span, bar, line, one_line
-
-WIDTH = 80  # of the rule behind what was observed
+from casper.kb.text.lines import Line, Span, line, one_line
 
 
 class Lives(Protocol):
@@ -71,16 +69,10 @@ class Lives(Protocol):
 
 def day_lines(day: Lives, top: int = 1) -> Iterator[Line]:
     """What was observed, each goal's probability, what the last action belongs to, and the best rows of episodes."""
-    shown = " → ".join(map(str, day.observations)) or "nothing observed"
-    rule = "─" * (WIDTH - 1 - len(shown))
-    yield line(Span(shown, "strong"), Span(f" {rule}" if rule else "", "faint"))
+    yield heading(day.observations)
     kept = "" if day.is_exact else f", {day.left_out:.2g} of the weight left out"
     yield line(f"{day.states} hypothes{'is' if day.states == 1 else 'es'}{kept}")
-    table, refused = shares_table(day.posterior, 13), _refused(day)
-    for goal, share in table.shown:
-        told = [Span(f"  not this: {'; '.join(refused[goal])}", "faint")] if refused.get(goal) else []
-        yield line(f"  {goal:<{table.width}}", bar(share), f" {share:.2f}", *told)
-    yield from table.rest()
+    yield from shares_lines(day.posterior, _refused(day))
     yield line("last action: ", Span(day.leading, "outcome") if day.leading else "needless or undecided")
     for account in day.best(max(top, 0)):
         yield from account.lines()

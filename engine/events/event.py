@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from casper.engine.events.printing import NAMES, Names, event_lines
+from casper.engine.events.entries import NAMES, Names
+from casper.engine.events.printing import event_lines
 from casper.engine.events.records import setters
 from casper.kb.text.lines import Line, Shown, one_line, text_of
 

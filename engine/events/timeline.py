@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
+from casper.engine.events.entries import Names
 from casper.engine.events.event import Event
-from casper.engine.events.printing import Names, movement_lines, opening_lines, reading_lines
+from casper.engine.events.printing import movement_lines, opening_lines, reading_lines
 from casper.kb.reasons.says import SILENT, Words
 from casper.kb.text.lines import Line, Span
 

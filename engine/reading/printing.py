@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Protocol
 
-from casper.engine.events.printing import shares_table
+from casper.engine.events.shares import heading, shares_lines
 from casper.engine.events.telling import Telling
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.reading.questions import Question
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import as_term
-from casper.kb.text.lines import Line, Span, bar, line, one_line
-
-WIDTH = 80  # of the rule behind what was observed
+from casper.kb.text.lines import Line, Span, line, one_line
 
 
 class Reads(Protocol):
@@ -67,11 +65,11 @@ def reading_lines(reading: Reads, top: int = 3, asked: int = 0) -> Iterator[Line
         asked: how many questions.
     """
     best = reading.best(max(top, 1))
-    yield _heading(reading.observations)
+    yield heading(reading.observations)
     yield line(f"{_count(reading)}, confidence {best[0].share if best else 0.0:.2f}")
     for at, foreign in reading.unknown.items():
         yield line(f"needless: {reading.observations[at]} ({foreign})")
-    yield from _goals(reading.posterior, reading.rejected)
+    yield from shares_lines(reading.posterior, reading.rejected)
     yield line("outcome: ", Span(reading.outcome, "outcome") if reading.outcome else "undecided")
     for explanation in best[:top]:
         yield from explanation.lines(reading.observations)
@@ -107,21 +105,6 @@ def rejected_text(rejected: Mapping[str, Sequence[str]]) -> str:
     return "; ".join(f"{goal}: {', '.join(reasons)}" for goal, reasons in rejected.items())
 
 
-def _heading(observations: Sequence[object]) -> Line:
-    shown = " → ".join(map(str, observations)) or "nothing observed"
-    rule = "─" * (WIDTH - 1 - len(shown))
-    return line(Span(shown, "strong"), Span(f" {rule}" if rule else "", "faint"))
-
-
 def _count(reading: Reads) -> str:
     least = "" if reading.is_exact else "at least "
     return f"{least}{reading.count} explanation{'' if reading.count == 1 else 's'}"
-
-
-def _goals(posterior: Mapping[str, float], rejected: Mapping[str, Sequence[str]]) -> Iterator[Line]:
-    table = shares_table(posterior, 13)
-    for goal, share in table.shown:
-        reasons = "; ".join(rejected.get(goal, ()))
-        note = [Span(f"  not this: {reasons}", "faint")] if reasons else []
-        yield line(f"  {goal:<{table.width}}", bar(share), f" {share:.2f}", *note)
-    yield from table.rest()

@@ -10,7 +10,7 @@ from readings import KITCHEN, reading
 
 from casper.engine.events.curves import focus_curve
 from casper.engine.events.event import Event
-from casper.engine.events.printing import MOST_GOALS
+from casper.engine.events.shares import MOST_GOALS
 from casper.notebook.curves import HIGH, TOP, WIDE
 from casper.notebook.trees import STYLES
 from casper.plans.trees.tree import MARKS

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from casper.engine.collaboration.collaboration import CollaborativePlan
-from casper.engine.events.printing import shares_table
+from casper.engine.events.shares import shares_table
 from casper.engine.explanation.explanation import Explanation, Interleaved
 from casper.engine.reading.reading import Reading
 from casper.notebook.markup import Markup, joined, tag

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from casper.engine.events.event import Event
-from casper.engine.events.printing import shares_table
+from casper.engine.events.shares import shares_table
 from casper.engine.events.telling import Telling
 from casper.kb.reasons.doubt import Doubt
 from casper.kb.reasons.why_not import Refusal

@@ -9,8 +9,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from casper.engine.events.entries import Names
 from casper.engine.events.event import Event
-from casper.engine.events.printing import Names
 from casper.engine.events.telling import Telling
 from casper.kb.text.lines import Line
 from casper.notebook.markup import Markup, joined, tag

@@ -3,7 +3,7 @@
 import pytest
 
 from casper.engine.events import TYPES, Event
-from casper.engine.events.printing import Names
+from casper.engine.events.entries import Names
 from casper.engine.events.timeline import Timeline
 from casper.kb.text.lines import text_of
 

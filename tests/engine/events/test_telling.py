@@ -6,8 +6,8 @@ import pytest
 
 from casper.engine.domain.domain import Domain
 from casper.engine.events import Event
+from casper.engine.events.entries import Names
 from casper.engine.events.phrases import PHRASES
-from casper.engine.events.printing import Names
 from casper.engine.events.timeline import Timeline
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import DomainError, ProgramError
