@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from casper.engine.explanation.explanation import Explanation
 from casper.kb.errors import CasperError
-from casper.kb.text.files import unwritable
+from casper.kb.text.files import check_writable
 from casper.plans.trees.tree import MARKS
 
 if TYPE_CHECKING:
@@ -61,9 +61,7 @@ def check_picture(path: str | Path) -> None:
     path = Path(path)
     if path.suffix.lower() not in FORMATS:
         raise CasperError(f"a picture is written as {', '.join(FORMATS)}, not as {path.suffix or path.name!r}")
-    reason = unwritable(path)
-    if reason is not None:
-        raise CasperError(f"cannot write {path} ({reason}); choose another place")
+    check_writable(path)
     if find_spec("matplotlib") is None:
         raise CasperError(_MISSING)
 

@@ -14,7 +14,7 @@ from contextlib import suppress
 from io import FileIO
 from pathlib import Path
 
-from casper.kb.errors import DomainError
+from casper.kb.errors import CasperError, DomainError
 
 MOST_BYTES = 64 * 2**20  # of one file
 _CALM = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
@@ -136,6 +136,17 @@ def unwritable(path: Path) -> str | None:
             return None
     except OSError as mistake:
         return mistake.strerror or str(mistake)
+
+
+def check_writable(path: Path) -> None:
+    """Refuse a place where no file can be written, before anything is done for it.
+
+    Raises:
+        CasperError: why not, as `unwritable`.
+    """
+    reason = unwritable(path)
+    if reason is not None:
+        raise CasperError(f"cannot write {path} ({reason}); choose another place")
 
 
 def write_texts(folder: Path, texts: Mapping[str, str], *, replace: bool = False) -> None:

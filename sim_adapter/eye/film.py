@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from casper.kb.errors import CasperError
-from casper.kb.text.files import unwritable
+from casper.kb.text.files import check_writable
 from casper.sim_adapter.eye.camera import Camera
 from casper.sim_adapter.room.scene import Scene
 
@@ -28,9 +28,7 @@ def check_film(path: Path) -> None:
     """
     if path.suffix.lower() != ".mp4":
         raise CasperError(f"a film is written as .mp4, such as {path.stem or 'run'}.mp4, not as {path.name}")
-    reason = unwritable(path)
-    if reason is not None:
-        raise CasperError(f"cannot write {path} ({reason}); choose another place")
+    check_writable(path)
     if find_spec("imageio_ffmpeg") is None:
         raise CasperError("films need imageio-ffmpeg, which is not installed: pip install 'casper-hri[video]'")
     import imageio_ffmpeg

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from casper.engine.domain.domain import Domain
 from casper.kb.errors import CasperError
-from casper.kb.text.files import unwritable
+from casper.kb.text.files import check_writable
 from casper.report.page import page_of
 from casper.report.recorder import Recorder
 from casper.report.recording import Recording
@@ -40,9 +40,7 @@ def check_page(path: Path) -> None:
     """
     if path.suffix.lower() not in (".html", ".htm"):
         raise CasperError(f"a report is a page, such as {path.stem or 'run'}.html, not {path.name}")
-    reason = unwritable(path)
-    if reason is not None:
-        raise CasperError(f"cannot write {path} ({reason}); choose another place")
+    check_writable(path)
 
 
 def write_page(recording: Recording, path: Path) -> None:

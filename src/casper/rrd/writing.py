@@ -9,7 +9,7 @@ from pathlib import Path
 
 from casper.engine.domain.domain import Domain
 from casper.kb.errors import CasperError
-from casper.kb.text.files import unwritable
+from casper.kb.text.files import check_writable
 from casper.rrd.log import Log
 
 
@@ -40,8 +40,6 @@ def check_rrd(path: Path) -> None:
     if path.suffix.lower() != ".rrd":
         better = f"{path.stem or 'run'}.rrd"
         raise CasperError(f"a recording for Rerun is written as .rrd, such as {better}, not as {path.name}")
-    reason = unwritable(path)
-    if reason is not None:
-        raise CasperError(f"cannot write {path} ({reason}); choose another place")
+    check_writable(path)
     if find_spec("rerun") is None:
         raise CasperError("this needs rerun-sdk, which is not installed: pip install 'casper-hri[rerun]'")
