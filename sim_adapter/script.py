@@ -10,7 +10,9 @@ from itertools import islice
 from casper.engine.actions.contexts import skills_of
 from casper.engine.domain.domain import Domain
 from casper.engine.episodes.networks.state import State
-from casper.engine.verification.matching import ROBOT, Mismatch, bindings_of
+from casper.engine.verification.binding import bindings_of
+from casper.engine.verification.matching import ROBOT
+from casper.engine.verification.mismatch import Mismatch
 from casper.engine.verification.observation import Observation
 from casper.engine.verification.verified_matching import settle
 from casper.kb.errors import DomainError, PlanError, Undefined

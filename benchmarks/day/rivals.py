@@ -6,7 +6,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from casper.engine.verification.matching import Matcher, Mismatch
+from casper.engine.verification.matching import Matcher
+from casper.engine.verification.mismatch import Mismatch
 from casper.engine.verification.observation import Observation
 from casper.plans.trees.plan import Plan
 

@@ -10,7 +10,9 @@ from typing import NamedTuple
 
 from meaning import Leaves, Meaning
 
-from casper.engine.verification.matching import Binding, Matcher, Mismatch
+from casper.engine.verification.binding import Binding
+from casper.engine.verification.matching import Matcher
+from casper.engine.verification.mismatch import Mismatch
 from casper.engine.verification.observation import Observation
 from casper.plans.trees.plan import Plan
 

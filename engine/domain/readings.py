@@ -25,16 +25,10 @@ from casper.engine.reading.priors import priors_of
 from casper.engine.reading.reading import Reading
 from casper.engine.recognition.options import Options
 from casper.engine.recognition.scoring import score_named
+from casper.engine.verification.binding import Binding, bindings_of
 from casper.engine.verification.history import Done, in_order, in_plan_order
-from casper.engine.verification.matching import (
-    Agents,
-    Binding,
-    Matcher,
-    Mismatch,
-    NameMatcher,
-    ParameterMatcher,
-    bindings_of,
-)
+from casper.engine.verification.matching import Agents, Matcher, NameMatcher, ParameterMatcher
+from casper.engine.verification.mismatch import Mismatch
 from casper.engine.verification.verified_matching import VerifyingMatcher, settle
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import DomainError, Place, PlanError

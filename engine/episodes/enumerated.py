@@ -18,8 +18,10 @@ from casper.engine.episodes.standing import Standing
 from casper.engine.episodes.taking import LAG, MOST_KEPT, Taking
 from casper.engine.explanation.explanation import Explanation
 from casper.engine.explanation.situation import Situation
+from casper.engine.verification.binding import bindings_of
 from casper.engine.verification.history import in_order
-from casper.engine.verification.matching import Matcher, Mismatch, NameMatcher, Recipe, bindings_of
+from casper.engine.verification.matching import Matcher, NameMatcher, Recipe
+from casper.engine.verification.mismatch import Mismatch
 from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.engine.verification.vocabulary import names_only
 from casper.kb.terms.terms import Compound

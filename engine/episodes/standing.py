@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from typing import NamedTuple, Protocol, TypeAlias, runtime_checkable
 
 from casper.engine.episodes.past import Past
-from casper.engine.verification.matching import Binding, Matcher, Slot
+from casper.engine.verification.binding import Binding, Slot
+from casper.engine.verification.matching import Matcher
 from casper.kb.terms.terms import Compound
 
 

@@ -9,14 +9,9 @@ from casper.engine.collaboration.collaboration import Capability
 from casper.engine.episodes.growing import Step
 from casper.engine.episodes.past import Past
 from casper.engine.episodes.standing import LooksBack, OpenLeaf, Standing
-from casper.engine.verification.matching import (
-    Binding,
-    Matcher,
-    Mismatch,
-    ParameterMatcher,
-    filled,
-    slots_of,
-)
+from casper.engine.verification.binding import Binding, filled, slots_of
+from casper.engine.verification.matching import Matcher, ParameterMatcher
+from casper.engine.verification.mismatch import Mismatch
 from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.kb.terms.unification import variables_of
 from casper.plans.trees.plan import Plan

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from casper.engine.explanation.printing import explanation_lines, explanation_name
 from casper.engine.explanation.situation import Situation
-from casper.engine.verification.matching import Binding, bindings_of
+from casper.engine.verification.binding import Binding, bindings_of
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.kb.text.lines import Line, Shown, text_of

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from casper.engine.verification.matching import Binding, bindings_of
+from casper.engine.verification.binding import Binding, bindings_of
 from casper.kb.terms.terms import Compound
 from casper.kb.terms.unification import substitute
 from casper.plans.trees.plan import Plan

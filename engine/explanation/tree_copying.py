@@ -9,7 +9,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from casper.engine.verification.matching import Binding, Matcher, Mismatch
+from casper.engine.verification.binding import Binding
+from casper.engine.verification.matching import Matcher
+from casper.engine.verification.mismatch import Mismatch
 from casper.engine.verification.observation import Observation
 from casper.plans.trees.plan import Plan
 from casper.plans.trees.tree import plan_tree

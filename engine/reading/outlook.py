@@ -12,7 +12,7 @@ from typing import Any
 from casper.engine.collaboration.collaboration import Capability, CollaborativePlan, collaborative_plan
 from casper.engine.explanation.situation import Situation
 from casper.engine.recognition.teller import Teller
-from casper.engine.verification.matching import Binding
+from casper.engine.verification.binding import Binding
 from casper.kb.terms.syntax import term_text
 from casper.kb.terms.terms import Compound, as_term
 from casper.plans.trees.chart import bits

@@ -9,7 +9,7 @@ from typing import Any, Literal, TypeAlias
 
 from casper.engine.events.telling import Telling
 from casper.engine.reading.outlook import Outlook, shown
-from casper.engine.verification.matching import Binding
+from casper.engine.verification.binding import Binding
 
 End: TypeAlias = tuple[int, int, Binding]  # plan, mask of closed leaves, binding
 Kind: TypeAlias = Literal["goal", "done", "step", "next"]

@@ -15,7 +15,8 @@ from casper.engine.recognition.kernels.kernel import Kernel, Parts, Plans
 from casper.engine.recognition.kernels.moves import is_certain
 from casper.engine.recognition.listing import Explanations, levels_of, listing
 from casper.engine.recognition.standing import Standing
-from casper.engine.verification.matching import Matcher, Mismatch
+from casper.engine.verification.matching import Matcher
+from casper.engine.verification.mismatch import Mismatch
 from casper.engine.verification.observation import Observation, Seen, Uncertain, options_of
 
 

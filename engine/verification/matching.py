@@ -1,72 +1,24 @@
 """Whether an observation can be a certain leaf of a plan: names, parameters, and what the knowledge base says.
 
-A `Binding` is what is known of a plan's parameters, in the order of ``plan.variables``; None is unknown. A matcher
-maps (plan, leaf, observation, binding) to the new binding or to a `Mismatch` with its reasons. Behind the parameters a
-binding may have what a matcher keeps of conditions whose answer is still open. Both the tree-copying
+A matcher maps (plan, leaf, observation, binding) to the new `Binding` or to a `Mismatch` with its reasons. Behind the
+parameters a binding may have what a matcher keeps of conditions whose answer is still open. Both the tree-copying
 specification and the counting engine take their matcher as an argument, so verification enters them alike.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any, NamedTuple, Protocol, TypeAlias
+from typing import Any, NamedTuple, Protocol, Self, TypeAlias
 
-from casper.engine.events.telling import PLAIN, Telling
+from casper.engine.verification.binding import Binding, Slot, filled, slots_of, unified
+from casper.engine.verification.mismatch import Clash, Mismatch, Refused
 from casper.engine.verification.observation import Observation
 from casper.kb.terms.syntax import term_text
-from casper.kb.terms.terms import Compound, Term, Variable, as_term
-from casper.kb.terms.unification import Bindings, is_ground, renamed, substitute, unify
+from casper.kb.terms.terms import Term, Variable, as_term
 from casper.plans.trees.plan import Plan
 
-Binding: TypeAlias = tuple[Term | None, ...]
 Recipe: TypeAlias = tuple[Any, ...]  # what makes a matcher, and what it takes besides the plans
 ROBOT = "robot"  # in by(robot, Action): whoever helps
-
-
-class Mismatch:
-    """That an observation cannot be a leaf, and why."""
-
-    @property
-    def reasons(self) -> tuple[str, ...]:
-        """Why, one sentence each."""
-        return ()
-
-    def told(self, tell: Telling) -> tuple[str, ...]:
-        """The same in the author's words, as far as there are any."""
-        return self.reasons
-
-
-@dataclass(frozen=True)
-class Refused(Mismatch):
-    """A mismatch with the sentences of those who refused it."""
-
-    sentences: tuple[str, ...]
-
-    @property
-    def reasons(self) -> tuple[str, ...]:
-        """Why, one sentence each."""
-        return self.sentences
-
-
-@dataclass(frozen=True)
-class Clash(Mismatch):
-    """A mismatch of parameters; its sentence is made when somebody asks, which is seldom where there are many plans."""
-
-    plan: Plan
-    leaf: int
-    observation: Observation
-    binding: Binding
-
-    @property
-    def reasons(self) -> tuple[str, ...]:
-        """Why, one sentence each."""
-        return self.told(PLAIN)
-
-    def told(self, tell: Telling) -> tuple[str, ...]:
-        """The same in the author's words, as far as there are any."""
-        seen = Compound((self.observation.action, *(self.observation.args or ())))
-        return (_conflict(self.plan, self.plan.leaves[self.leaf], seen, bindings_of(self.plan, self.binding), tell),)
 
 
 class Agents(NamedTuple):
@@ -110,7 +62,27 @@ class Matcher(Protocol):
         """One that goes on from here on its own."""
 
 
-class NameMatcher:
+class Timeless:
+    """What matchers have in common for which no condition and nothing that was done earlier counts."""
+
+    def ask(
+        self, plan: int, due: Sequence[tuple[int, bool]], observation: Observation, binding: Binding
+    ) -> Binding | Mismatch:
+        """There is nobody to ask."""
+        return binding
+
+    def observed(self, observation: Observation) -> None:
+        """Nothing depends on the past."""
+
+    def forget(self) -> None:
+        """Nothing depends on the past."""
+
+    def fork(self) -> Self:
+        """Nothing depends on the past."""
+        return self
+
+
+class NameMatcher(Timeless):
     """Action names only: no parameters, no knowledge base (``--no-verification``)."""
 
     def __init__(self, plans: Sequence[Plan]) -> None:
@@ -129,27 +101,8 @@ class NameMatcher:
         """Every leaf of the name will do."""
         return ()
 
-    def ask(
-        self, plan: int, due: Sequence[tuple[int, bool]], observation: Observation, binding: Binding
-    ) -> Binding | Mismatch:
-        """Nobody is asked."""
-        return binding
 
-    def observed(self, observation: Observation) -> None:
-        """Nothing depends on the past."""
-
-    def forget(self) -> None:
-        """Nothing depends on the past."""
-
-    def fork(self) -> Matcher:
-        """Nothing depends on the past."""
-        return self
-
-
-Slot: TypeAlias = tuple[int, Term]  # which of the plan's parameters an argument is; (-1, value) for a constant
-
-
-class ParameterMatcher:
+class ParameterMatcher(Timeless):
     """Parameters flow between leaves; a conflict rejects the leaf, and so does a leaf that another agent does."""
 
     def __init__(self, plans: Sequence[Plan], agents: Agents = NOBODY) -> None:
@@ -198,77 +151,3 @@ class ParameterMatcher:
             return binding
         step = term_text(as_term(chosen.leaves[leaf]))
         return Refused((f"{step} of {chosen.label} is {term_text(who)}'s step, not {partner}'s",))
-
-    def ask(
-        self, plan: int, due: Sequence[tuple[int, bool]], observation: Observation, binding: Binding
-    ) -> Binding | Mismatch:
-        """There is nobody to ask."""
-        return binding
-
-    def observed(self, observation: Observation) -> None:
-        """Nothing depends on the past."""
-
-    def forget(self) -> None:
-        """Nothing depends on the past."""
-
-    def fork(self) -> Matcher:
-        """Nothing depends on the past."""
-        return self
-
-
-def slots_of(plan: Plan) -> list[tuple[Slot, ...] | None]:
-    """What the arguments of each leaf are; None where one is a compound term."""
-    numbers = {variable: at for at, variable in enumerate(plan.variables)}
-    return [
-        None
-        if any(isinstance(arg, Compound) for arg in leaf.args)
-        else tuple((numbers[arg], None) if isinstance(arg, Variable) else (-1, arg) for arg in leaf.args)
-        for leaf in plan.leaves
-    ]
-
-
-def filled(slots: Sequence[Slot], values: Sequence[Term], binding: Binding) -> Binding | None:
-    """The binding after constants were seen as arguments; None where they clash. The same as `unified`, and faster."""
-    if len(slots) != len(values):
-        return None
-    after = binding
-    for (number, constant), value in zip(slots, values):
-        wanted = constant if number < 0 else after[number]
-        if wanted is None:
-            after = (*after[:number], value, *after[number + 1 :])
-        elif wanted != value:
-            return None
-    return after
-
-
-def unified(plan: Plan, leaf: int, observation: Observation, binding: Binding) -> Binding | None:
-    """The binding after the observation was unified with the leaf; None where they clash."""
-    seen = Compound((observation.action, *renamed(observation.args or (), -1)))  # its variables are no plan's
-    bindings = unify(plan.leaves[leaf], seen, bindings_of(plan, binding))
-    return None if bindings is None else binding_of(plan, bindings)
-
-
-def bindings_of(plan: Plan, binding: Binding) -> Bindings:
-    """The substitution that a binding stands for."""
-    return {v: value for v, value in zip(plan.variables, binding) if value is not None}
-
-
-def binding_of(plan: Plan, bindings: Bindings) -> Binding:
-    """What a substitution says of the plan's parameters."""
-    values = (substitute(variable, bindings) for variable in plan.variables)
-    return tuple(value if is_ground(value) else None for value in values)
-
-
-def _conflict(plan: Plan, wanted: Compound, seen: Compound, known: Bindings, tell: Telling) -> str:
-    """The first argument that disagrees, in words."""
-    goal = tell.goal(plan.label)
-    if len(wanted) != len(seen):
-        return f"{wanted.functor} takes {len(wanted) - 1} arguments in {plan.label}"
-    for expected, value in zip(wanted.args, seen.args):
-        settled = substitute(expected, known)
-        if is_ground(settled) and not isinstance(value, Variable) and settled != value:
-            if isinstance(expected, Variable):
-                return tell.phrase("parameter", repr(expected), goal, tell.thing(settled), tell.thing(value))
-            break
-    steps = (tell.step(term_text(as_term(step))) for step in (substitute(wanted, known), seen))
-    return tell.phrase("other step", goal, *steps)

@@ -9,19 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, TypeAlias
 
+from casper.engine.verification.binding import Binding, binding_of, bindings_of
 from casper.engine.verification.conditions import Conditions
 from casper.engine.verification.history import Done, in_order
-from casper.engine.verification.matching import (
-    Agents,
-    Binding,
-    Matcher,
-    Mismatch,
-    ParameterMatcher,
-    Recipe,
-    Refused,
-    binding_of,
-    bindings_of,
-)
+from casper.engine.verification.matching import Agents, ParameterMatcher, Recipe
+from casper.engine.verification.mismatch import Mismatch, Refused
 from casper.engine.verification.observation import Observation
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import BudgetExceeded, Undefined
@@ -168,7 +160,7 @@ class VerifyingMatcher(ParameterMatcher):
         other.partner = self.partner if agent is None else agent
         return other
 
-    def fork(self) -> Matcher:
+    def fork(self) -> VerifyingMatcher:
         """One with the same past."""
         other = object.__new__(VerifyingMatcher)
         other.__dict__.update(self.__dict__)

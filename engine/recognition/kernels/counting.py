@@ -26,7 +26,8 @@ from casper.engine.recognition.kernels.kernel import NEEDLESS, Leading, Parts, P
 from casper.engine.recognition.kernels.levels import Ended, Level, Levels, Node
 from casper.engine.recognition.kernels.paths import best_first
 from casper.engine.recognition.scoring import Score, paper
-from casper.engine.verification.matching import Matcher, Mismatch
+from casper.engine.verification.matching import Matcher
+from casper.engine.verification.mismatch import Mismatch
 from casper.plans.trees.plan import Plan
 
 End: TypeAlias = tuple[Plans, Node]

@@ -12,7 +12,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
 
 from casper.engine.recognition.scoring import Score, least_tie, paper, posterior_by
-from casper.engine.verification.matching import Binding, Matcher, Mismatch
+from casper.engine.verification.binding import Binding
+from casper.engine.verification.matching import Matcher
+from casper.engine.verification.mismatch import Mismatch
 from casper.engine.verification.observation import Seen
 from casper.plans.trees.plan import Plan
 

@@ -17,7 +17,8 @@ from typing import Any, TypeAlias
 from casper.engine.recognition.kernels.kernel import Kernel, Plans
 from casper.engine.recognition.kernels.moves import Move, Moves, is_certain, positions_of
 from casper.engine.recognition.scoring import Score, paper
-from casper.engine.verification.matching import Matcher, Mismatch
+from casper.engine.verification.matching import Matcher
+from casper.engine.verification.mismatch import Mismatch
 from casper.engine.verification.observation import Seen, options_of
 from casper.plans.trees.plan import Plan
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from casper.engine.verification.matching import Binding, Matcher, Mismatch
+from casper.engine.verification.binding import Binding
+from casper.engine.verification.matching import Matcher
+from casper.engine.verification.mismatch import Mismatch
 from casper.engine.verification.observation import Observation, Seen, options_of
 from casper.plans.trees.chart import Chart
 from casper.plans.trees.plan import Plan

@@ -3,7 +3,9 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from casper.engine.verification.matching import Clash, ParameterMatcher, filled, slots_of, unified
+from casper.engine.verification.binding import filled, slots_of, unified
+from casper.engine.verification.matching import ParameterMatcher
+from casper.engine.verification.mismatch import Clash
 from casper.engine.verification.observation import Observation
 from casper.kb.terms.terms import Compound, Variable
 from casper.plans.trees.nodes import Action, Task

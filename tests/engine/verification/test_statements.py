@@ -3,14 +3,9 @@
 import pytest
 from readings import KITCHEN
 
-from casper.engine.verification.matching import (
-    Mismatch,
-    NameMatcher,
-    ParameterMatcher,
-    Refused,
-    binding_of,
-    bindings_of,
-)
+from casper.engine.verification.binding import binding_of, bindings_of
+from casper.engine.verification.matching import NameMatcher, ParameterMatcher
+from casper.engine.verification.mismatch import Mismatch, Refused
 from casper.engine.verification.observation import Observation
 from casper.engine.verification.verification import Statement, Verifier
 from casper.engine.verification.verified_matching import VerifyingMatcher, settle

@@ -14,7 +14,9 @@ from itertools import chain, count, product
 
 import networkx as nx
 
-from casper.engine.verification.matching import Binding, Matcher, Mismatch
+from casper.engine.verification.binding import Binding
+from casper.engine.verification.matching import Matcher
+from casper.engine.verification.mismatch import Mismatch
 from casper.engine.verification.observation import Observation
 from casper.plans.trees.nodes import Action, Condition, Node, Shape
 from casper.plans.trees.plan import Plan

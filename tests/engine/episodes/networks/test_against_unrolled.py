@@ -8,7 +8,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from tellers import Counting
 
-from casper.engine.verification.matching import NameMatcher, ParameterMatcher, bindings_of
+from casper.engine.verification.binding import bindings_of
+from casper.engine.verification.matching import NameMatcher, ParameterMatcher
 from casper.engine.verification.observation import Observation
 from casper.kb.errors import PlanError
 from casper.kb.terms.terms import Compound, Variable, as_term
