@@ -23,3 +23,11 @@ NoisyPairs = told(pairs.Pairs)
 def Pairs(plans, matcher, priors=None):
     """All pairs, with no needless observation."""
     return Teller(pairs.Pairs(plans, matcher, None, priors), matcher)
+
+
+def observed(tellers, seen):
+    """The tellers, after each of them has observed all that was seen."""
+    for observation in seen:
+        for teller in tellers:
+            teller.observe(observation)
+    return tellers

@@ -10,7 +10,7 @@ import pytest
 from brute_force import explanations
 from hypothesis import given
 from hypothesis import strategies as st
-from tellers import Arrays, Chains, Counting, Interleaving, Pairs
+from tellers import Arrays, Chains, Counting, Interleaving, Pairs, observed
 from test_extensions import certain, chains, distinct, libraries, plans
 
 from casper.engine.verification.matching import NameMatcher, ParameterMatcher
@@ -44,8 +44,7 @@ def test_a_fast_engine_gives_the_answers_of_the_counting_engine(engine, library,
     fast = engine(library, NameMatcher(library), priors)
     slow = Counting(library, NameMatcher(library), priors=priors)
     for observation in seen:
-        fast.observe(observation)
-        slow.observe(observation)
+        observed((fast, slow), [observation])
         assert fast.count == slow.count
         for ours, theirs in zip(fast.kernel.masses(fast.level), slow.kernel.masses(slow.level)):
             assert ours == theirs or (engine is Arrays and isclose(ours, theirs, rel_tol=1e-12))
@@ -170,8 +169,7 @@ def test_a_search_that_drops_hypotheses_says_so_and_gives_a_lower_bound(library,
     exact = Interleaving(library, NameMatcher(library), 3, budget=100_000)
     bounded = Interleaving(library, NameMatcher(library), 3, budget=budget)
     for observation in seen:
-        exact.observe(observation)
-        bounded.observe(observation)
+        observed((exact, bounded), [observation])
         assert bounded.count <= exact.count
         assert bounded.count == exact.count or not bounded.is_exact
     told = {(f.goals, f.marks) for f in exact.explanations()}
@@ -184,8 +182,7 @@ def test_a_count_that_drops_states_says_so_and_gives_a_lower_bound(library, seen
     exact = Counting(library, NameMatcher(library), noise)
     bounded = Counting(library, NameMatcher(library), noise, budget=budget)
     for observation in seen:
-        exact.observe(observation)
-        bounded.observe(observation)
+        observed((exact, bounded), [observation])
         assert bounded.count <= exact.count
         assert bounded.count == exact.count or not bounded.is_exact
         assert sum(map(len, bounded.level.counts.values())) <= budget
@@ -201,8 +198,7 @@ def test_one_goal_at_a_time_is_the_plain_recogniser(library, seen):
     library = distinct(library)
     several, one = Interleaving(library, NameMatcher(library), 1), Counting(library, NameMatcher(library))
     for observation in seen:
-        several.observe(observation)
-        one.observe(observation)
+        observed((several, one), [observation])
         assert several.count == one.count
         assert several.posterior() == pytest.approx(one.posterior())
 
@@ -220,8 +216,7 @@ def test_all_pairs_in_an_array_equal_the_search_through_them(library, seen, weig
     priors = [0.1 * (1 + ord(plan.label[0]) % 3) for plan in library] if weighed else None
     pairs, search = Pairs(library, NameMatcher(library), priors), Interleaving(library, NameMatcher(library), 2, priors=priors)
     for observation in seen:
-        pairs.observe(observation)
-        search.observe(observation)
+        observed((pairs, search), [observation])
         assert pairs.count == search.count
         assert dict(pairs.posterior()) == pytest.approx(search.posterior())
         ours, theirs = pairs.standing(), search.standing()

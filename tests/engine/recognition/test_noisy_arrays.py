@@ -9,7 +9,7 @@ from math import comb
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from tellers import Counting
+from tellers import Counting, observed
 from test_extensions import PRICES, chains, distinct, libraries
 from test_fast_engines import NAMES, plain
 
@@ -64,17 +64,13 @@ def agree(fast, slow):
 def test_arrays_give_the_answers_of_the_counting_engine(library, seen, price, weighed):
     fast, slow = both(library, price, priors_of(library) if weighed else None)
     for observation in seen:
-        fast.observe(observation)
-        slow.observe(observation)
+        observed((fast, slow), [observation])
         agree(fast, slow)
 
 
 @given(LIBRARIES, NAMES, PRICES, st.booleans())
 def test_arrays_list_all_explanations_in_the_order_of_the_counting_engine(library, seen, price, weighed):
-    fast, slow = both(library, price, priors_of(library) if weighed else None)
-    for observation in seen:
-        fast.observe(observation)
-        slow.observe(observation)
+    fast, slow = observed(both(library, price, priors_of(library) if weighed else None), seen)
     ours, theirs = list(fast.explanations()), list(slow.explanations())
     assert told(ours) == told(theirs)
     assert [f.share for f in ours] == pytest.approx([f.share for f in theirs], rel=1e-12, abs=0)
@@ -82,10 +78,7 @@ def test_arrays_list_all_explanations_in_the_order_of_the_counting_engine(librar
 
 @given(LIBRARIES, NAMES, PRICES, st.booleans())
 def test_the_best_of_each_plan_and_of_all_is_the_heaviest_group_of_the_counting_engine(library, seen, price, weighed):
-    fast, slow = both(library, price, priors_of(library) if weighed else None)
-    for observation in seen:
-        fast.observe(observation)
-        slow.observe(observation)
+    fast, slow = observed(both(library, price, priors_of(library) if weighed else None), seen)
     tops, ties = {}, 0
     groups = sorted(slow.kernel.weighed(slow.level), key=lambda group: (-group[0], group[1]))
     for weight, plans, _, number, _ in groups:
@@ -98,10 +91,7 @@ def test_the_best_of_each_plan_and_of_all_is_the_heaviest_group_of_the_counting_
 
 @given(LIBRARIES, NAMES, PRICES, st.booleans())
 def test_explanations_end_where_those_of_the_counting_engine_do(library, seen, price, weighed):
-    fast, slow = both(library, price, priors_of(library) if weighed else None)
-    for observation in seen:
-        fast.observe(observation)
-        slow.observe(observation)
+    fast, slow = observed(both(library, price, priors_of(library) if weighed else None), seen)
     ours, theirs = list(fast.ends()), list(slow.ends())
     assert [parts for parts, _ in ours] == [parts for parts, _ in theirs]
     assert sorted(share for _, share in ours) == pytest.approx(sorted(share for _, share in theirs), rel=1e-12, abs=0)
@@ -153,8 +143,7 @@ def test_arrays_agree_with_the_counting_engine_on_many_goals_and_longer_readings
     fast, slow = both(library, chance.choice([0.05, 0.3, 1.0]), priors_of(library) if seed % 2 else None)
     for _ in range(9):
         observation = Observation(chance.choice(names))
-        fast.observe(observation)
-        slow.observe(observation)
+        observed((fast, slow), [observation])
         agree(fast, slow)
     assert told(islice(fast.explanations(), 100)) == told(islice(slow.explanations(), 100))
 
@@ -173,16 +162,14 @@ def test_a_long_plan_among_short_ones_agrees_with_the_counting_engine_beyond_64_
     library = distinct(library)
     fast, slow = both(library, 0.7, [0.2, 0.5, 0.3, 0.2])
     for name in "abaab" * 8:
-        fast.observe(Observation(name))
-        slow.observe(Observation(name))
+        observed((fast, slow), [Observation(name)])
     agree(fast, slow)
     assert fast.count > 2**64
     assert told(islice(fast.explanations(), 3)) == told(islice(slow.explanations(), 3))
     for _ in range(38):
         fast.undo()
         slow.undo()
-    fast.observe(Observation("b"))
-    slow.observe(Observation("b"))
+    observed((fast, slow), [Observation("b")])
     agree(fast, slow)
 
 
@@ -190,8 +177,7 @@ def test_a_long_plan_among_short_ones_agrees_with_the_counting_engine_beyond_64_
 def test_a_price_that_underflows_leaves_everything_else_as_it_is(library, seen, price):
     fast, slow = both(library, price)
     for observation in seen:
-        fast.observe(observation)
-        slow.observe(observation)
+        observed((fast, slow), [observation])
         assert (fast.count, fast.standing()) == (slow.count, slow.standing())
         assert dict(fast.posterior()) == pytest.approx(slow.posterior(), rel=1e-12, abs=1e-300)
         assert sum(fast.posterior().values()) == pytest.approx(1.0 if fast.count else 0.0)
@@ -201,8 +187,7 @@ def test_a_price_that_underflows_leaves_everything_else_as_it_is(library, seen, 
 def test_weights_that_differ_by_rounding_only_tie():
     fast, slow = both([plain("g", *"ab"), plain("h", *"abb")], 0.7, [0.2, 0.3])  # 0.2 / 2 and 0.3 / 3: one bit apart
     for name in "accc":
-        fast.observe(Observation(name))
-        slow.observe(Observation(name))
+        observed((fast, slow), [Observation(name)])
         assert fast.standing() == slow.standing()
         assert (fast.standing().rivals, fast.standing().ties) == (1, 2)
 
@@ -211,8 +196,7 @@ def test_unlike_weights_stay_unlike_however_many_observations_are_needless():
     library = [plain("g", *"abbb"), plain("h", *"abbbb")]
     fast, slow = both(library, 2**-8)
     for name in "a" + "c" * 160:  # 2 ** -1280 is no float
-        fast.observe(Observation(name))
-        slow.observe(Observation(name))
+        observed((fast, slow), [Observation(name)])
         assert fast.standing() == slow.standing()
     assert (fast.standing().best_goal, fast.standing().rivals) == ("g", 0)
     assert dict(fast.posterior()) == pytest.approx(slow.posterior(), rel=1e-12)
@@ -224,8 +208,7 @@ def test_unlike_weights_stay_unlike_however_many_observations_are_needless():
 def test_the_first_explanation_is_found_without_listing_any(library, seen, price, weighed):
     fast, slow = both(library, price, priors_of(library) if weighed else None)
     for observation in seen:
-        fast.observe(observation)
-        slow.observe(observation)
+        observed((fast, slow), [observation])
         assert fast.first() == next(fast.explanations(), None)
         for goal in "ghk":
             ours, theirs = fast.first(goal), slow.first(goal)
@@ -237,8 +220,7 @@ def test_the_first_explanation_is_found_without_listing_any(library, seen, price
 def test_an_action_that_no_plan_has_is_needless():
     library = [plain("g", *"ab"), plain("h", *"b")]
     fast, slow = both(library, 0.1)
-    fast.observe(Observation("unknown"))
-    slow.observe(Observation("unknown"))
+    observed((fast, slow), [Observation("unknown")])
     agree(fast, slow)
     assert (fast.count, fast.standing(), fast.best(), list(fast.explanations())) == (0, None, None, [])
     for engine in (fast, slow):
@@ -268,7 +250,5 @@ def test_parameters_that_only_the_goal_has_stay_unknown():
 def test_an_uncertain_action_is_counted_with_the_same_price_and_priors(library, seen, price):
     fast, slow = both(library, price, priors_of(library))
     unsure = Uncertain(((Observation("a"), 0.6), (Observation("b"), 0.4)))
-    for observation in [*seen, unsure]:
-        fast.observe(observation)
-        slow.observe(observation)
+    observed((fast, slow), [*seen, unsure])
     assert fast.kernel.weighed(fast.level) == slow.kernel.weighed(slow.level)

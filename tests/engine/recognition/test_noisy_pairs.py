@@ -10,7 +10,7 @@ from math import comb
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from tellers import Interleaving
+from tellers import Interleaving, observed
 from test_extensions import PRICES, chains, distinct, libraries
 from test_fast_engines import NAMES, by_end, plain
 from test_noisy_arrays import priors_of
@@ -34,13 +34,6 @@ NOTHING = 1e-200  # shares below this are what is left of prices that underflow
 def both(library, price, priors=None):
     matcher = NameMatcher(library)
     return NoisyPairs(library, matcher, price, priors), Interleaving(library, matcher, 2, price, priors, budget=10**9)
-
-
-def observed(engines, seen):
-    for observation in seen:
-        for engine in engines:
-            engine.observe(observation)
-    return engines
 
 
 def told(found):
