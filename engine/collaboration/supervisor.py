@@ -5,70 +5,22 @@ What was announced holds until it is done, changed by another ``plan``, or withd
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
 
 from casper.engine.collaboration.acting import ActingSettings, sureness
 from casper.engine.collaboration.collaboration import CollaborativePlan
+from casper.engine.collaboration.commitment import NOTHING, Commitment, where
+from casper.engine.collaboration.reads import Reads
 from casper.engine.events import Event
-from casper.engine.events.telling import Telling, sentence, will_do
+from casper.engine.events.telling import sentence, will_do
 from casper.engine.explanation.explanation import Explanation, Interleaved
-from casper.engine.explanation.situation import Situation
-from casper.engine.verification.observation import Seen, certainty_of
+from casper.engine.verification.observation import certainty_of
 from casper.kb.terms.terms import Compound
 
 LIKELY = ActingSettings()
 NEEDED = 2 / 3  # probability from which a part of the robot is worth doing, where it may have been done
-
-
-@dataclass(frozen=True, slots=True)
-class Commitment:
-    """The goal the robot believes in: since when, from which explanation, and its part in it."""
-
-    goal: str
-    t: float
-    explanation: Explanation | Interleaved
-    plan: CollaborativePlan
-    observations: int  # that had been made by then
-
-
-class Reads(Protocol):
-    """What a supervisor asks of a reading (`engine.reading.reading`)."""
-
-    @property
-    def outcome(self) -> str | None:
-        """The goal that is committed to."""
-
-    @property
-    def observations(self) -> Sequence[Seen]:
-        """What was observed."""
-
-    @property
-    def tell(self) -> Telling:
-        """What tells goals in the author's words."""
-
-    @property
-    def posterior(self) -> Mapping[str, float]:
-        """Each goal's share of all scores."""
-
-    @property
-    def first(self) -> Explanation | Interleaved | None:
-        """The best explanation."""
-
-    def best_of(self, goal: str, /) -> Explanation | Interleaved | None:
-        """The best explanation of a goal."""
-
-    def plan_for(self, agent: str, explanation: Explanation | Interleaved, /) -> CollaborativePlan | None:
-        """The agent's part in it."""
-
-    def plans_for(self, agent: str, /) -> Mapping[CollaborativePlan, float]:
-        """The probability of each part of the agent."""
-
-    def next_part(
-        self, agent: str, explanation: Explanation | Interleaved, done: CollaborativePlan, /
-    ) -> CollaborativePlan | None:
-        """The agent's part in what comes after one that it has done."""
 
 
 class Supervisor:
@@ -181,18 +133,7 @@ class Supervisor:
 
     def summary(self) -> dict[str, Any]:
         """The figures of the prediction, at the moment it was made (paper table "results")."""
-        made = self.commitment
-        if made is None:
-            nothing = {"predicted": None, "prediction_time": None}
-            return {**nothing, "observed": 0, "missed": 0, "waiting": 0, "planned": 0}
-        return {
-            "predicted": made.goal,
-            "prediction_time": made.t,
-            "observed": len(made.explanation.marks),
-            "missed": made.explanation.missed,
-            "waiting": len(made.plan.waiting),
-            "planned": len(made.plan.actions),
-        }
+        return NOTHING | ({} if self.commitment is None else self.commitment.figures())
 
     def _commit(self, goal: str, t: float) -> Iterator[Event]:
         explanation = self.reading.best_of(goal)
@@ -223,7 +164,7 @@ class Supervisor:
         if explanation is None:
             yield from self._doubt(t)
             return
-        before, now = _stand(commitment.explanation, commitment.plan), _stand(explanation, commitment.plan)
+        before, now = where(commitment.explanation, commitment.plan), where(explanation, commitment.plan)
         if before is not None and now is not None and before.leads_to(now):
             plan = commitment.plan.after(now)
         else:
@@ -259,8 +200,3 @@ class Supervisor:
         if text != self._said:
             self._said = text
             yield Event("says", t, {"agent": plan.agent, "goal": plan.goal, "text": text})
-
-
-def _stand(explanation: Explanation | Interleaved, plan: CollaborativePlan) -> Situation | None:
-    """Where the plan stands that the robot's part belongs to."""
-    return next((part.situation for part in explanation.parts if part.goal == plan.goal), None)

@@ -11,7 +11,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from casper.engine.collaboration.supervisor import Commitment, Supervisor
+from casper.engine.collaboration.commitment import Commitment
+from casper.engine.collaboration.supervisor import Supervisor
 from casper.engine.domain.domain import Domain
 from casper.engine.domain.relations import SHARING_NAMES
 from casper.engine.domain.reload import Dropped, current_fingerprint, reloaded, replayed
