@@ -26,6 +26,14 @@ def again(problem, who=NOBODY):
         return first.files, import_problem(to_problem(first.domain()), who).files
 
 
+def basic_with(tmp_path, examples, file, text):
+    """The framework's basic example as a domain, with a text more in one of its files."""
+    import_problem(examples["basic"].problem).write(tmp_path / "basic")
+    with (tmp_path / "basic" / file).open("a") as there:
+        there.write(text)
+    return Domain.load(tmp_path / "basic")
+
+
 @given(problems(), st.sampled_from([None, "vehicle", "movable"]))
 def test_a_problem_without_tasks_comes_back_unchanged(problem, agent):
     before, after = again(problem, Who(agent))
@@ -50,21 +58,15 @@ def test_a_domain_that_does_not_say_what_its_actions_change_is_no_problem():
 
 
 def test_what_a_problem_cannot_say_is_told(tmp_path, examples):
-    imported = import_problem(examples["basic"].problem)
-    imported.write(tmp_path / "basic")
-    with (tmp_path / "basic" / "ontology.pl").open("a") as text:
-        text.write('never("not twice") :- claim(a(_)), did(a(_), _).\n')
+    domain = basic_with(tmp_path, examples, "ontology.pl", 'never("not twice") :- claim(a(_)), did(a(_), _).\n')
     with pytest.warns(LeftOut, match="never/1 has no place in a problem of planning, and is left out"):
-        to_problem(Domain.load(tmp_path / "basic"))
+        to_problem(domain)
 
 
 def test_a_clause_that_has_no_place_in_an_action_is_refused_with_its_place(tmp_path, examples):
-    imported = import_problem(examples["basic"].problem)
-    imported.write(tmp_path / "basic")
-    with (tmp_path / "basic" / "ontology.pl").open("a") as text:
-        text.write("sunny.\na(Agent) :- actor(Agent), sunny.\n")
+    domain = basic_with(tmp_path, examples, "ontology.pl", "sunny.\na(Agent) :- actor(Agent), sunny.\n")
     with pytest.raises(CasperError, match=r"ontology.pl:\d+:1: sunny is about no type and no fluent of the problem"):
-        to_problem(Domain.load(tmp_path / "basic"))
+        to_problem(domain)
 
 
 def test_what_is_left_out_of_a_domain_is_a_warning(examples):
@@ -73,12 +75,9 @@ def test_what_is_left_out_of_a_domain_is_a_warning(examples):
 
 
 def test_plans_without_a_signature_are_told(tmp_path, examples):
-    imported = import_problem(examples["basic"].problem)
-    imported.write(tmp_path / "basic")
-    with (tmp_path / "basic" / "plans.pl").open("a") as text:
-        text.write("goal(twice).\ntwice --> a, a.\n")
+    domain = basic_with(tmp_path, examples, "plans.pl", "goal(twice).\ntwice --> a, a.\n")
     with pytest.warns(LeftOut, match=r"plans.pl:\d+:1: twice has no compound_task"):
-        to_problem(Domain.load(tmp_path / "basic"))
+        to_problem(domain)
 
 
 def test_types_in_a_circle_are_refused(tmp_path):
