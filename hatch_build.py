@@ -23,7 +23,7 @@ class Compiling(BuildHookInterface):  # type: ignore[type-arg]
 
     def dependencies(self) -> list[str]:
         """What compiles."""
-        return ["mypy>=1.15", "setuptools>=68"] if is_wanted() else []
+        return ["mypy>=1.15", "setuptools>=68", "numpy>=1.26"] if is_wanted() else []  # numpy: for its types
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Compile in a folder beside the sources, and put what comes of it into the wheel."""
