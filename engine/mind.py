@@ -18,8 +18,8 @@ from casper.engine.actions.prediction import Prediction
 from casper.engine.collaboration.acting import acting_settings
 from casper.engine.collaboration.printing import supervisor_lines
 from casper.engine.collaboration.supervisor import Supervisor
-from casper.engine.domain.agents import check_agents
 from casper.engine.domain.domain import Domain
+from casper.engine.domain.partners.agents import check_agents
 from casper.engine.events import Event
 from casper.engine.events.entries import Names
 from casper.engine.movements.leaves import TIMED

@@ -9,7 +9,7 @@ from typing import Any
 
 from casper.engine.actions.prediction import action_settings
 from casper.engine.collaboration.acting import acting_settings
-from casper.engine.domain.agents import strangers
+from casper.engine.domain.partners.agents import strangers
 from casper.engine.domain.relations import SECTIONS
 from casper.engine.episodes.prices import prices_of
 from casper.engine.movements.leaves import TIMED

@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 from casper.engine.domain.languages import check_says, speak
+from casper.engine.domain.partners.readings import Readings
 from casper.engine.domain.printing import domain_lines, domain_name
-from casper.engine.domain.readings import Readings
 from casper.engine.perception.remembering.asked import ASKED
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import DomainError, PlanError

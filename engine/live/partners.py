@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from casper.engine.domain.agents import is_known
 from casper.engine.domain.domain import Domain
+from casper.engine.domain.partners.agents import is_known
 from casper.engine.events import Event
 from casper.engine.live.memory import Uninterrupted
 from casper.engine.mind import Mind

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from casper.engine.domain.domain import Domain
-from casper.engine.domain.remembered import Remembered
+from casper.engine.domain.partners.remembered import Remembered
 from casper.engine.reading.reading import Reading
 from casper.kb.base import KnowledgeBase
 from casper.kb.errors import CasperError
