@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     import networkx as nx
 
 _MISSING = "pictures need matplotlib: pip install 'casper-hri[plot]'"
-FORMATS = (".svg", ".png", ".pdf")
+UNDATED: dict[str, dict[str, None]] = {".svg": {"Date": None}, ".png": {}, ".pdf": {"CreationDate": None}}
+FORMATS = tuple(UNDATED)
 STYLES: dict[str, dict[str, Any]] = {
     "observed": {"facecolor": "#9ecae1", "edgecolor": "#1f4e79"},
     "missed": {"facecolor": "white", "edgecolor": "#8c2d04", "hatch": "////"},
@@ -69,6 +70,8 @@ def check_picture(path: str | Path) -> None:
 def save_picture(explanations: Sequence[Explanation], path: str | Path) -> None:
     """Draw explanations one below the other into a file; its ending says the format (svg, png or pdf).
 
+    The same explanations give the same bytes.
+
     Raises:
         CasperError: nothing to draw, or as `check_picture`.
     """
@@ -76,8 +79,11 @@ def save_picture(explanations: Sequence[Explanation], path: str | Path) -> None:
     if not explanations:
         raise CasperError("there is no explanation to draw: the observations fit no plan")
     figure = _figure(explanations)
+    from matplotlib import rc_context
+
     try:
-        figure.savefig(path, bbox_inches="tight", dpi=150)
+        with rc_context({"svg.hashsalt": "casper"}):
+            figure.savefig(path, bbox_inches="tight", dpi=150, metadata=UNDATED[Path(path).suffix.lower()])
     except OSError as mistake:
         raise CasperError(f"cannot write {path} ({mistake.strerror or mistake})") from None
 

@@ -62,8 +62,8 @@ def _told(recording: Recording) -> dict[str, str]:
     theirs = {step: tell.step(step, str(plan.data.get("partner"))) for plan in plans for step in plan.data["waiting"]}
     ours = {step: tell.step(step, plan.data["agent"]) for plan in plans for step in plan.data["actions"]}
     states = recording.states
-    names = {*recording.partners, recording.robot, *(name for state in states for name in state.objects)}
-    return {**theirs, **ours, **{name: tell.name(name) for name in names}}
+    names = *recording.partners, recording.robot, *(name for state in states for name in state.objects)
+    return {**theirs, **ours, **{name: tell.name(name) for name in dict.fromkeys(names)}}
 
 
 def _mm(value: float) -> float:

@@ -30,6 +30,14 @@ def test_leaves_stand_side_by_side_and_tasks_above_the_middle_of_what_they_are_d
             assert places[node][0] == (min(below) + max(below)) / 2
 
 
+@pytest.mark.parametrize("kind", ["svg", "png", "pdf"])
+def test_the_same_explanations_give_the_same_bytes(tmp_path, kind):
+    one, other = tmp_path / f"one.{kind}", tmp_path / f"other.{kind}"
+    save_picture(best("eat"), one)
+    save_picture(best("eat"), other)
+    assert one.read_bytes() == other.read_bytes()
+
+
 def test_observed_is_filled_missed_textured_and_unobserved_dashed(tmp_path):
     save_picture(best("eat")[:1], tmp_path / "eat.svg")
     drawn = {g.get("id"): Xml.tostring(g, encoding="unicode") for g in Xml.parse(tmp_path / "eat.svg").iter() if g.get("id")}
