@@ -4,7 +4,8 @@
 
 World states of whole lunches are recorded first, and told at 2 and at 10 Hz: as the eye has them (1 cm), and with 6 cm
 of noise, which the mind finds out and filters. Fresh minds take them in, and each update is timed alone, in processor
-time; of a state that is taken in several times the least counts, so that what else the machine does does not.
+time; of a state that is taken in several times the least counts, so that what else the machine does does not. Which Python it
+is matters: one that was built without profile-guided optimisation takes a sixth longer.
 """
 
 import argparse
@@ -15,6 +16,7 @@ from itertools import islice
 from pathlib import Path
 
 from casper import Domain, Mind
+from casper.cli.authoring.installed import surroundings
 from casper.engine.live.memory import keep_loaded
 from casper.engine.perception.world import WorldState
 
@@ -55,6 +57,7 @@ def main() -> int:
     given = parser.parse_args()
     domain = Domain.load("kitchen")
     states = lunch(domain)
+    print(f"casper {surroundings()['casper']}; Python {surroundings()['Python']}")
     keep_loaded()
     columns = ("states/s", "mean µs", "median µs", "99 % µs", "most µs")
     print(f"{'sensor':<7}{'Hz':>4}{'states':>8}" + "".join(f"{each:>11}" for each in columns))
