@@ -4,8 +4,8 @@
 
 World states of whole lunches are recorded first, and told at 2 and at 10 Hz: as the eye has them (1 cm), and with 6 cm
 of noise, which the mind finds out and filters. Fresh minds take them in, and each update is timed alone, in processor
-time; of a state that is taken in several times the least counts, so that what else the machine does does not. Which Python it
-is matters: one that was built without profile-guided optimisation takes a sixth longer.
+time; of a state that is taken in several times the least counts, so that what else the machine does does not. Which
+Python it is matters: one that was built without profile-guided optimisation takes a sixth longer.
 """
 
 import argparse

@@ -13,14 +13,11 @@ from datetime import date
 from importlib.metadata import PackageNotFoundError, version
 from math import inf
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from .bounds import Bound
 from .figures import OURS, PROCESSOR, Figure, Skipped, clock
 from .peers import prolog
-
-if TYPE_CHECKING:
-    from .report import Section
+from .sections import Section
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "benchmarks.md"
 START, END = "<!-- logic: written by benchmarks/logic -->", "<!-- logic: end -->"

@@ -5,17 +5,17 @@ import os
 import sys
 import time
 import traceback
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from types import ModuleType
 
 from . import meaning
 from .asking import demand, from_python, join, lists, programs, queries, reasons, rows
-from .bounds import Bound
 from .deriving import closures, counts, games, large, ontology, shortest, updates
 from .figures import CLOCK, FULL, OURS, PROCESSOR, TINY, Figure, Sizes, Skipped
 from .loading import rdf, texts
 from .page import PAGE, keep, page
+from .sections import Section
 
 FAMILIES: tuple[ModuleType, ...] = (
     *(queries, rows, join, demand, lists, programs, from_python, reasons),
@@ -25,24 +25,6 @@ FAMILIES: tuple[ModuleType, ...] = (
 
 BUSY = 5  # times as long may a peer's process take where only its processor time counts
 ALONE = ("meaning",)  # takes longer than all others; run when it is named
-
-
-@dataclass(frozen=True, slots=True)
-class Section:
-    """One family's figures, the lines on which answers differ, and its promises."""
-
-    name: str
-    title: str
-    timed: str
-    found: tuple[Figure | Skipped, ...]
-    differing: Mapping[str, str]  # by task
-    promises: tuple[Bound, ...]
-    broken: bool = False  # a benchmark of casper itself failed
-
-    @property
-    def figures(self) -> list[Figure]:
-        """What was measured."""
-        return [x for x in self.found if isinstance(x, Figure)]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

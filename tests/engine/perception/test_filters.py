@@ -9,9 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from casper.engine.perception.filters.handling import Handling, Near
+from casper.engine.perception.filters.hands import told_of_hand
 from casper.engine.perception.filters.quality import Gauge, Quality
 from casper.engine.perception.filters.specification import PlainHandling
-from casper.engine.perception.filters.steadying import Steadier, told_of_hand
+from casper.engine.perception.filters.steadying import Steadier
 from casper.engine.perception.filters.walking import Way, smoothed
 from casper.engine.perception.tracking import Tracker, TrackerSettings
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
