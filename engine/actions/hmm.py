@@ -206,7 +206,7 @@ class HmmRecogniser:
         return {a: score * weights.get(a, 1.0) / total for a, score in scores.items()} if total > 0.0 else dict(scores)
 
     def _weight(self, underway: Mapping[str | None, float]) -> float:
-        return sum(share * self._weights.get(a or "", 1.0) for a, share in underway.items())
+        return sum([share * self._weights.get(a or "", 1.0) for a, share in underway.items()])
 
     def _last_long(self, t: float, underway: Mapping[str | None, float]) -> None:
         """A loop that is surely going on, for as long as it takes, has happened though rounds of it were not made out.

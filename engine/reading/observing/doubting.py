@@ -85,7 +85,7 @@ class Doubting:
         thing, here = self._lay
         self._lay = None
         for action in self.consuming:
-            share = sum(p for leaves, p in frontiers.items() if any(_uses(leaf, action, thing) for leaf in leaves))
+            share = sum([p for leaves, p in frontiers.items() if any(_uses(leaf, action, thing) for leaf in leaves)])
             if share > EXPECTED:
                 there = {spot: p for spot, p in here.items() if spot[0] == thing}
                 found = self._stated(world.t, self.skills.get(action, action), there)
