@@ -53,8 +53,8 @@ def read_durations(rows: Rows, movements: tuple[str, ...], otherwise: float) -> 
 
 def fitted(seconds: Sequence[float], most: int = MOST_PHASES) -> Duration:
     """The duration with the mean and, as far as that many phases can, the spread of what was measured."""
-    mean = sum(seconds) / len(seconds)
-    spread = sum([(each - mean) ** 2 for each in seconds]) / len(seconds)
+    mean = math.fsum(seconds) / len(seconds)
+    spread = math.fsum([(each - mean) ** 2 for each in seconds]) / len(seconds)
     wanted = most if spread * most <= mean * mean else round(mean * mean / spread)
     return Duration(mean, max(1, min(most, wanted)))
 

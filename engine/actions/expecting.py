@@ -6,6 +6,7 @@ Used where a sensor is poor. One that is good is believed without.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
+from math import fsum
 
 SURPRISE = 0.2  # share of actions that are not what the reading expects
 
@@ -38,7 +39,7 @@ def weights(
         action = name if name in shares else skills.get(name, "")
         if action in shares:
             shares[action] += share
-    total, count = sum(shares.values()), len(shares)
+    total, count = fsum(shares.values()), len(shares)
     if total <= 0.0:
         return {}
     return {a: count * ((1.0 - SURPRISE) * share / total + SURPRISE / count) for a, share in shares.items()}

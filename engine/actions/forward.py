@@ -7,6 +7,7 @@ kept, and what many states have in common (something new begins) is spread once 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from math import fsum
 from operator import mul
 from typing import TypeAlias
 
@@ -43,12 +44,12 @@ def step(
         passed = lasting[: max(len(lasting) - phase, 0)]
         for at, chance in enumerate(passed, key):
             after[at] = after.get(at, 0.0) + p * chance
-        moved = p * (1.0 - sum(passed))
+        moved = p * (1.0 - fsum(passed))
         if moved > NEGLIGIBLE:
             for to, chance in model.arcs[index]:
                 after[to * phases] = after.get(to * phases, 0.0) + moved * chance
     weighed = {key: p * likelihood[model.states[key // phases].movement] for key, p in after.items()}
-    total = sum(weighed.values())
+    total = fsum(weighed.values())
     return {key: p / total for key, p in weighed.items() if p > total * NEGLIGIBLE}
 
 
@@ -113,17 +114,17 @@ class Forward:
     def seen(self, expected: Belief, weights: Belief) -> Belief:
         """What is believed once something was seen that is so likely for each."""
         weighed = list(map(mul, expected, weights))
-        total = sum(weighed)
+        total = fsum(weighed)
         least = total * NEGLIGIBLE
         return [p / total if p > least else 0.0 for p in weighed]
 
     def happened(self, belief: Belief) -> dict[str, float]:
         """By action, how likely it is to have happened."""
-        return {action: sum([belief[key] for key in keys]) for action, keys in self._complete}
+        return {action: fsum([belief[key] for key in keys]) for action, keys in self._complete}
 
     def underway(self, belief: Belief) -> dict[str | None, float]:
         """By action, how likely it is to be going on or to have happened; None stands for no action."""
-        return {action: sum([belief[key] for key in keys]) for action, keys in self._underway.items()}
+        return {action: fsum([belief[key] for key in keys]) for action, keys in self._underway.items()}
 
     def _table(self, dt: float) -> tuple[Belief, list[Belief], Belief]:
         """How likely it is to stay in the same phase, to be 1, 2, … on in the same movement, and to leave it."""
@@ -132,7 +133,7 @@ class Forward:
         stays, *passed = map(list, zip(*rows))
         if len(self._tables) == KEPT:
             self._tables.clear()
-        self._tables[dt] = stays, passed, [1.0 - sum(row) for row in rows]
+        self._tables[dt] = stays, passed, [1.0 - fsum(row) for row in rows]
         return self._tables[dt]
 
     def _passed(self, chances: Sequence[float], phase: int) -> list[float]:

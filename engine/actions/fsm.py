@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import fsum
 
 from casper.engine.settings import Rows, number, require
 
@@ -83,7 +84,7 @@ def _probability(value: object, where: str) -> float:
 
 def _check_table(action: str, table: Mapping[str, Mapping[str, float]]) -> None:
     for origin, row in table.items():
-        total = sum(row.values())
+        total = fsum(row.values())
         require(abs(total - 1.0) <= _ROUNDING, f"transition({action}, {origin}, …) adds up to {total:g}, not 1")
         for to in row:
             require(
@@ -108,6 +109,6 @@ def _starts(rows: Rows, tables: Mapping[str, Mapping[str, object]]) -> dict[str,
         require(movement in tables.get(action, {}), f"{where} is about no transition")
         starts.setdefault(action, {})[movement] = _probability(p, where)
     for action, row in starts.items():
-        total = sum(row.values())
+        total = fsum(row.values())
         require(abs(total - 1.0) <= _ROUNDING, f"start({action}, …) adds up to {total:g}, not 1")
     return starts

@@ -7,6 +7,7 @@ to the target and the places of that moment, as they are known best before the a
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import fsum
 from typing import TypeAlias
 
 Spot: TypeAlias = tuple[str | None, str | None]
@@ -79,5 +80,5 @@ class Happening:
     def of(self, action: str) -> dict[Spot, float]:
         """What the action is about, likeliest first; shares that add up to 1, none where nothing speaks for it."""
         found = self._of[action].shares if action in self._of else {}
-        total = sum(found.values())
+        total = fsum(found.values())
         return {s: c / total for s, c in sorted(found.items(), key=lambda item: -item[1]) if c} if total > 0.0 else {}

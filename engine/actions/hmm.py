@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator, Mapping
+from math import fsum
 from typing import NamedTuple
 
 from casper.engine.actions.durations import Duration
@@ -206,7 +207,7 @@ class HmmRecogniser:
         return {a: score * weights.get(a, 1.0) / total for a, score in scores.items()} if total > 0.0 else dict(scores)
 
     def _weight(self, underway: Mapping[str | None, float]) -> float:
-        return sum([share * self._weights.get(a or "", 1.0) for a, share in underway.items()])
+        return fsum([share * self._weights.get(a or "", 1.0) for a, share in underway.items()])
 
     def _last_long(self, t: float, underway: Mapping[str | None, float]) -> None:
         """A loop that is surely going on, for as long as it takes, has happened though rounds of it were not made out.
@@ -260,7 +261,7 @@ class HmmRecogniser:
         shares = {movement.name: 1.0} if movement.shares is None else movement.shares
         emission = self._emission if movement.shares is None else self._smoothed
         try:
-            return {name: sum([row[seen] * share for seen, share in shares.items()]) for name, row in emission.items()}
+            return {name: fsum([row[seen] * share for seen, share in shares.items()]) for name, row in emission.items()}
         except KeyError as unknown:
             raise DomainError(f"no transition of any action knows the movement {unknown.args[0]}") from None
 

@@ -9,6 +9,7 @@ between two steps.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from math import fsum
 from typing import NamedTuple, TypeAlias
 
 from casper.engine.actions.fsm import Fsm, movements_of
@@ -121,12 +122,12 @@ class HmmModel:
         for fsm in fsms:
             start = _begins(fsm, others)
             for m, p in start.items():
-                share = (1.0 - idle) / len(fsms) * p / sum(start.values())
+                share = (1.0 - idle) / len(fsms) * p / fsum(start.values())
                 yield State(fsm.action, m, _advance(fsm, 0, m)), share
 
     def _onwards(self, fsm: Fsm, state: State) -> Steps:
         row = {m: p for m, p in fsm.rows[state.movement].items() if m != state.movement}  # lasting is `stay`
-        total = sum(row.values())
+        total = fsum(row.values())
         done = state.progress == len(fsm.cycle)
         for m, p in row.items():
             # whatever follows a completed action that does not loop belongs to the next time
@@ -143,7 +144,7 @@ class HmmModel:
     def _again(self, fsm: Fsm, movement: str) -> Steps:
         """An accepted loop goes round: only the movements of its cycle, so that a new action soon shows."""
         row = {m: p for m, p in fsm.rows.get(movement, {}).items() if m in fsm.cycle and m != movement}
-        total = sum(row.values())
+        total = fsum(row.values())
         if total == 0.0:
             yield from self._fresh(movement)
         for m, p in row.items():

@@ -6,6 +6,7 @@ import random
 from collections import deque
 from collections.abc import Mapping, Sequence
 from difflib import SequenceMatcher
+from math import fsum
 
 from casper.engine.actions.fsm import Fsm, likeliest_chain, sampled_chain
 from casper.engine.actions.prediction import ActionSettings, Misread, Prediction
@@ -81,7 +82,7 @@ class RatcliffRecogniser:
             return self._compare(likeliest_chain(fsm, first, settings.length))
         samples = 1 if settings.mode == "sample" else settings.samples
         chains = (sampled_chain(fsm, first, settings.length, self._source) for _ in range(samples))
-        return sum(map(self._compare, chains)) / samples
+        return fsum(map(self._compare, chains)) / samples
 
     def _compare(self, sample: Sequence[str]) -> float:
         if self.settings.letters == "own":

@@ -94,7 +94,7 @@ def about_nearby(
     gaps = sorted((math.hypot(o.x - at.x, o.y - at.y), name) for name, o in things.items() if name != target)
     most = min(gaps[0][0] + BESIDE, FARTHEST) if gaps else 0.0
     near = {(target, name): math.exp(-0.5 * (gap / ARM) ** 2) for gap, name in gaps if gap <= most}
-    total = sum(near.values())
+    total = math.fsum(near.values())
     return {spot: share / total for spot, share in near.items()} if near else {(target, None): 1.0}
 
 

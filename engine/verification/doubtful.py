@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from math import fsum
 
 from casper.engine.verification.observation import Observation, Seen, Uncertain
 from casper.engine.verification.verification import Statement, Verifier
@@ -32,7 +33,7 @@ def judged(stated: Mapping[Statement, float], verifier: Verifier | None, known: 
     """
     options: dict[Observation, float] = {}
     best: tuple[float, Statement, Verdict | None] | None = None
-    least = NEGLIGIBLE * sum(stated.values())
+    least = NEGLIGIBLE * fsum(stated.values())
     verdicts = {s: None if verifier is None else verifier.judge(s) for s, chance in stated.items() if chance > least}
     for statement, verdict in verdicts.items():
         if verdict is not None and not verdict.valid:
@@ -55,7 +56,7 @@ def _observation(statement: Statement, verdict: Verdict | None) -> Observation:
 
 
 def _weighed(options: Mapping[Observation, float]) -> Seen:
-    total = sum(options.values())
+    total = fsum(options.values())
     shares = {option: share / total for option, share in options.items() if share > NEGLIGIBLE * total}
     best = max(shares, key=shares.__getitem__)
-    return best if shares[best] >= SURE * sum(shares.values()) else Uncertain(tuple(shares.items()))
+    return best if shares[best] >= SURE * fsum(shares.values()) else Uncertain(tuple(shares.items()))

@@ -156,7 +156,8 @@ class Handling:
             return exp(-0.5 * (dx * dx + dy * dy + dz * dz) / s) * (TWO_PI * s) ** -1.5, found
         places = rest, self.home, (near.x, near.y, self.hand[2], ARM)
         weights = [share * density(each, x, y, z, noise) for share, each in zip((STAYS, BACK, ANEW), places)]
-        return sum(weights), corrected(places[weights.index(max(weights))], x, y, z, noise)
+        stays, back, anew = weights
+        return stays + back + anew, corrected(places[weights.index(max(weights))], x, y, z, noise)
 
     def _in_hand(
         self, x: float, y: float, z: float, noise: float, dt: float, near: Near | None

@@ -6,6 +6,7 @@ In: what every step says. Out: observations with likelihoods, which the reading 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from math import fsum
 
 from casper.engine.actions.happening import Happening, Spot
 from casper.engine.actions.prediction import Prediction
@@ -85,7 +86,7 @@ class Doubting:
         thing, here = self._lay
         self._lay = None
         for action in self.consuming:
-            share = sum([p for leaves, p in frontiers.items() if any(_uses(leaf, action, thing) for leaf in leaves)])
+            share = fsum([p for leaves, p in frontiers.items() if any(_uses(leaf, action, thing) for leaf in leaves)])
             if share > EXPECTED:
                 there = {spot: p for spot, p in here.items() if spot[0] == thing}
                 found = self._stated(world.t, self.skills.get(action, action), there)
