@@ -37,8 +37,11 @@ class Compiling(BuildHookInterface):  # type: ignore[type-arg]
         for source, target in self.build_config.sources.items():
             pure = shutil.ignore_patterns("__pycache__", "*.so", "*.pyd")
             shutil.copytree(Path(self.root, source), folder / target, ignore=pure, dirs_exist_ok=True)
-        with chdir(folder):
-            compile_in_place([f"casper/{module}.py" for module in self.config["modules"]])
+        try:
+            with chdir(folder):
+                compile_in_place([f"casper/{module}.py" for module in self.config["modules"]])
+        except (Exception, SystemExit) as mistake:  # mypyc leaves by the latter, its complaints are printed
+            self.app.abort(f"casper could not be compiled ({mistake}); without CASPER_COMPILE it is installed as it is")
         for pattern in ("*.so", "*.pyd"):
             for file in (f for f in folder.rglob(pattern) if "build" not in f.relative_to(folder).parts):
                 build_data["force_include"][str(file)] = str(file.relative_to(folder))
