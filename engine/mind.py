@@ -25,6 +25,7 @@ from casper.engine.events.entries import Names
 from casper.engine.movements.leaves import TIMED
 from casper.engine.movements.movements import movement_classifier
 from casper.engine.perception.about import About, Handled, about
+from casper.engine.perception.filters.association import associator_of
 from casper.engine.perception.focus import Focus, FocusEstimator, focus_settings
 from casper.engine.perception.perception import Perception, Relations, perception_settings
 from casper.engine.perception.remembering.asked import Memories
@@ -98,7 +99,8 @@ class Mind:
         rest: dict[str, Any] = {"helps": helps, "stops": stops, "partner": partner, "segments": segments}
         rest["certainty"] = certainty
         self.like: Callable[..., Mind] = partial(Mind, **choices, **rest)
-        self.tracker = Tracker(tracker_settings(rows), None if self.partner == domain.robot else domain.robot)
+        own, tracking = None if self.partner == domain.robot else domain.robot, tracker_settings(rows)
+        self.tracker = Tracker(tracking, own, associator_of(tracking, domain.kb))
         self.perception = Perception(perception_settings(rows), self.partner)
         self.focus = FocusEstimator(focus_settings(rows))
         self.handled = Handled()

@@ -24,6 +24,7 @@ band(ignore, infinite).
 % setting(tracking, gate, 0.15).                  % metres; within it a detection of a resting thing is averaged
 % setting(tracking, agent_gate, 0.08).            % the same for an agent; less than its slowest step
 % setting(tracking, hold_bridge, 1).              % steps for which a hand that seems empty still holds
+% setting(tracking, association, name).           % nearest: numbers of names (cup_1, cup_2) say nothing
 % setting(tracking, steady, true).                % a sensor that is found to be poor is filtered, and told later
 % setting(tracking, steady_noise, 0.02).          % metres of noise from which it is poor
 % setting(tracking, lag, 1.5).                    % seconds that are then looked ahead

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import deque
 
+from casper.engine.perception.filters.association import Associator
 from casper.engine.perception.filters.quality import Gauge, Quality
 from casper.engine.perception.filters.settings import TrackerSettings as TrackerSettings
 from casper.engine.perception.filters.settings import tracker_settings as tracker_settings
@@ -22,10 +23,13 @@ class Tracker:
     Args:
         settings: what is mended, and from when on a sensor is filtered.
         own: the name of the one who looks, of whose own pose there is no doubt; None: nobody in view.
+        associator: gives what is seen the names by which it was known; None: things are what they are called.
     """
 
-    def __init__(self, settings: TrackerSettings, own: str | None = None) -> None:
-        self.settings, self.own = settings, own
+    def __init__(
+        self, settings: TrackerSettings, own: str | None = None, associator: Associator | None = None
+    ) -> None:
+        self.settings, self.own, self._associator = settings, own, associator
         self.reset()
 
     def reset(self) -> None:
@@ -38,6 +42,8 @@ class Tracker:
         self._steadier: Steadier | None = None
         self._recent: deque[WorldState] = deque(maxlen=RECENT)
         self._last = -math.inf
+        if self._associator is not None:
+            self._associator.reset()
 
     @property
     def jumps(self) -> tuple[str, ...]:
@@ -60,6 +66,9 @@ class Tracker:
         Raises:
             WorldStateError: as `update`.
         """
+        if self._associator is not None:
+            check_world(self._t, world)
+            world = self._associator.update(world)
         steadies = self.settings.enabled and self.settings.steady
         if steadies and self._steadier is not None:
             return self._steadied(world, self._steadier)

@@ -18,6 +18,9 @@ class TrackerSettings:
     how many steps in a row an object must be seen in the hand to count as held. agent_bridge: seconds an
     agent that is out of sight is thought to go on as it went; 0 leaves it absent.
 
+    association: ``name``, or ``nearest`` where the numbers of names say nothing
+    (`engine.perception.filters.association`).
+
     steady: whether a sensor that is found to be poor is filtered (`engine.perception.filters`). It is poor from
     steady_noise metres of noise, steady_lost lost detections (a share), or steady_period seconds from state to state.
     It is then told at a pace of seconds, with a lag of seconds at least.
@@ -31,6 +34,7 @@ class TrackerSettings:
     hold_bridge: int = 1
     hold_confirm: int = 1
     agent_bridge: float = 2.0
+    association: str = "name"
     steady: bool = True
     steady_noise: float = 0.02
     steady_lost: float = 0.12
@@ -41,6 +45,7 @@ class TrackerSettings:
     def __post_init__(self) -> None:
         for name in ("gate", "agent_gate", "agent_bridge", "steady_noise", "steady_lost", "steady_period", "lag"):
             require(getattr(self, name) >= 0.0, f"{name} of the tracker must not be negative")
+        require(self.association in ("name", "nearest"), f"association is name or nearest, not {self.association}")
         require(self.pace > 0.0, "pace of the tracker must be above 0")
         require(self.memory >= 1 and self.outliers >= 1, "memory and outliers of the tracker start at 1")
         require(self.hold_bridge >= 0 and self.hold_confirm >= 1, "hold_bridge starts at 0, hold_confirm at 1")

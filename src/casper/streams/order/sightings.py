@@ -10,6 +10,8 @@ from dataclasses import replace
 from math import hypot
 
 from casper.engine.domain.domain import Domain
+from casper.engine.perception.filters.association import associator_of
+from casper.engine.perception.tracking import tracker_settings
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
 from casper.streams.items import Item, Note
 
@@ -37,6 +39,7 @@ class Sightings:
 
     def __init__(self, domain: Domain) -> None:
         self._domain = domain
+        self._associator = associator_of(tracker_settings(domain.kb.rows), domain.kb)
         self._t = 0.0
         self._agents: dict[str, tuple[float, AgentState]] = {}
         self._objects: dict[str, tuple[float, ObjectState]] = {}
@@ -49,6 +52,8 @@ class Sightings:
     def update(self, world: WorldState) -> tuple[WorldState, list[str]]:
         """The state without what cannot be, and what there is to say about it."""
         told: list[str] = []
+        if self._associator is not None:
+            world = self._associator.update(world)
         if not world.objects.keys().isdisjoint(world.agents):
             world = self._without_doubles(world, told)
         if not world.objects.keys() <= self._objects.keys():
