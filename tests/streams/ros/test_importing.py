@@ -11,6 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mcaps import Bag, detection, transform
 
+from casper.engine.perception.filters.association import Associator
+from casper.engine.perception.tracking import Tracker, TrackerSettings
 from casper.engine.perception.world import world_state_from_json
 from casper.kb.checks.finding import Severity
 from casper.kb.errors import CasperError, DomainError, ReadError
@@ -172,6 +174,26 @@ def test_of_two_detections_of_one_name_the_surest_is_taken(tmp_path):
     assert any("the surest is taken" in message for message in said(findings, Severity.WARNING))
 
 
+def test_several_of_one_class_are_numbered_as_they_are_detected_and_the_nearest_is_the_same(tmp_path):
+    bag = Bag(tmp_path / "a.mcap")
+    for step in range(40):
+        t = T + step / 10
+        bag.tf(t, transform(t, "map", "person_1", (0, 0, 0)))
+        places = [1.0, 2.0, 3.0] if step % 4 == 0 else [3.0, 1.0, 2.0] if step % 4 == 2 else [2.0, 3.0]
+        if step % 2 == 0 or step % 8 == 1:
+            bag.seen(t, "map", *(detection(t, "map", "cup", (x, 0, 0)) for x in places))
+    names = Names({"person_1": "human"}, several={"cup": "glass"}, is_complete=True)
+    worlds, findings = convert(bag.close(), names)
+    assert {len(world.objects) for world in worlds} == {2, 3} and set(worlds[-1].objects) <= {"glass_1", "glass_2", "glass_3"}
+    notes = said(findings, Severity.NOTE)
+    assert any(note.startswith("glass is numbered as it is detected; read it by a domain with setting(") for note in notes)
+    assert said(findings, Severity.WARNING) == []
+    tracks = Tracker(TrackerSettings(association="nearest"), associator=Associator(lambda name: False))
+    for world in worlds:
+        (state,) = tracks.steps(world)
+        assert {name: round(thing.x) for name, thing in state.objects.items()} == {"glass_1": 1, "glass_2": 2, "glass_3": 3}
+
+
 def test_a_stamp_that_jumps_does_not_fill_the_file(tmp_path):
     bag = Bag(tmp_path / "a.mcap")
     for step in range(20):
@@ -208,9 +230,9 @@ def test_what_is_there_already_is_not_written_over(tmp_path):
 
 
 def test_names_are_facts(tmp_path):
-    (tmp_path / "names.pl").write_text("fixed(odom).\nagent(human, 'p/1').\nhand(human, h).\nobject(plate, a).\nobject(plate, b).\n")
+    (tmp_path / "names.pl").write_text("fixed(odom).\nagent(human, 'p/1').\nhand(human, h).\nobject(plate, a).\nobject(plate, b).\nobjects(cup, c).\n")
     names = read_names(tmp_path / "names.pl")
-    assert names == Names({"p/1": "human"}, {"a": "plate", "b": "plate"}, {"h": "human"}, "odom", is_complete=True)
+    assert names == Names({"p/1": "human"}, {"a": "plate", "b": "plate"}, {"h": "human"}, "odom", is_complete=True, several={"c": "cup"})
 
 
 @pytest.mark.parametrize(

@@ -87,11 +87,16 @@ def _findings(container: Container, worlds: Worlds, states: int) -> Iterator[tup
         yield Severity.ERROR, f"nobody is in it: no frame and no detection is called {wanted}; say with --names who is"
     for problem in container.problems:
         yield Severity.WARNING, problem
-    absent = [label for label, name in (*names.agents.items(), *names.objects.items()) if name not in worlds.met]
+    wanted_names = (*names.agents.items(), *names.objects.items(), *names.several.items())
+    absent = [label for label, name in wanted_names if name not in worlds.met]
     if states and absent and names.is_complete:
         yield Severity.WARNING, f"no frame and no detection is called {_listed(absent)}"
     for what, count in sorted(worlds.counts.items()):
         yield Severity.WARNING, f"{'once' if count == 1 else f'{count:,} times'}: {what}"
+    numbered = [name for name in names.several.values() if name in worlds.met]
+    if numbered:
+        advice = "read it by a domain with setting(tracking, association, nearest)"
+        yield Severity.NOTE, f"{_listed(numbered)} is numbered as it is detected; {advice}"
     if worlds.nameless:
         yield Severity.NOTE, f"detections without a name are left out: {_listed(sorted(worlds.nameless))}"
     for (topic, kind), count in sorted(container.unread.items()):

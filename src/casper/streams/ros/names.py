@@ -5,6 +5,7 @@
     hand(human, 'person_1/right_hand').  % what is there is held
     object(plate, plate_link).
     object(glass, cup).
+    objects(chair, 'Chair').             % a class of which there are several: chair_1, chair_2, … as they are detected
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from casper.kb.errors import DomainError, ReadError
 from casper.kb.terms.clauses import Clause
 from casper.kb.text.reader import read_file
 
-KINDS = {"fixed": 1, "agent": 2, "hand": 2, "object": 2}
+KINDS = {"fixed": 1, "agent": 2, "hand": 2, "object": 2, "objects": 2}
 
 
 @dataclass(frozen=True)
@@ -25,7 +26,7 @@ class Names:
     """Names in the domain by frame, class or identifier.
 
     ``fixed`` is None where the root of the frames is to be taken. Without ``is_complete`` every class of a detection
-    that has no name here is an object of its own name.
+    that has no name here is an object of its own name. ``several`` are classes of which there is more than one thing.
     """
 
     agents: Mapping[str, str] = field(default_factory=dict)
@@ -33,6 +34,11 @@ class Names:
     hands: Mapping[str, str] = field(default_factory=dict)
     fixed: str | None = None
     is_complete: bool = False
+    several: Mapping[str, str] = field(default_factory=dict)
+
+    def of_several(self, *labels: str) -> str | None:
+        """The kind of thing that one of the labels is a class of, if there are several."""
+        return next((self.several[label] for label in labels if label in self.several), None)
 
     def of_detection(self, *labels: str) -> tuple[str, bool] | None:
         """The name that one of the labels has, and whether it is an agent's."""
@@ -65,4 +71,4 @@ def read_names(file: Path) -> Names:
     if not found["agent"]:
         raise DomainError(f"{file} names nobody who acts; write agent(human, FRAME)")
     fixed = next(iter(found["fixed"]), None)
-    return Names(found["agent"], found["object"], found["hand"], fixed, is_complete=True)
+    return Names(found["agent"], found["object"], found["hand"], fixed, is_complete=True, several=found["objects"])

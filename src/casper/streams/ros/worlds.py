@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from math import floor
+from math import floor, inf
 
 from casper.engine.perception.world import AgentState, ObjectState, WorldState
 from casper.streams.ros.frames import Frames, Pose
@@ -45,6 +45,7 @@ class Worlds:
         self._next = 0
         self._waiting: list[Detected] = []
         self._seen: dict[str, tuple[float, bool, float, Pose]] = {}  # when, agent?, how sure, where
+        self._counted: dict[str, tuple[float, int]] = {}  # of several of a kind: when they were seen last, and how many
 
     def take(self, said: Told) -> Iterator[WorldState]:
         """What a message said; the world states that are complete by now."""
@@ -147,7 +148,13 @@ class Worlds:
             if said.t > t:
                 self._waiting.append(said)
                 continue
-            named = self.names.of_detection(said.identifier, said.label)
+            kind = self.names.of_several(said.identifier, said.label)
+            if kind is None:
+                named = self.names.of_detection(said.identifier, said.label)
+            elif (number := self._number(kind, said.t)) is None:
+                continue
+            else:
+                named = f"{kind}_{number}", False
             if named is None:
                 if len(self.nameless) < KINDS:
                     self.nameless.add(said.identifier or said.label)
@@ -165,6 +172,19 @@ class Worlds:
                     continue
             if before is None or before[0] <= said.t:
                 self._seen[name] = said.t, is_agent, said.score, frame.of(said.pose)
+
+    def _number(self, kind: str, t: float) -> int | None:
+        """The number of one more of a kind at a time; None where it is late. Those of an earlier time are out of view."""
+        newest, count = self._counted.get(kind, (-inf, 0))
+        if t < newest:
+            self.count(f"detection of one more {kind} is older than those before it")
+            return None
+        if t > newest:
+            self._seen = {name: was for name, was in self._seen.items() if name.rpartition("_")[0] != kind}
+            self.met.add(kind)
+            count = 0
+        self._counted[kind] = t, count + 1
+        return count + 1
 
     def _holds(self, agent: str, objects: dict[str, Pose], t: float) -> str | None:
         """What hangs on the agent's frames, or is where a hand is."""
