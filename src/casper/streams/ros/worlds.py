@@ -174,7 +174,7 @@ class Worlds:
                 self._seen[name] = said.t, is_agent, said.score, frame.of(said.pose)
 
     def _number(self, kind: str, t: float) -> int | None:
-        """The number of one more of a kind at a time, those of an earlier time being out of view; None where it is late."""
+        """The number of one more of a kind at a time, those of before being out of view; None where it is late."""
         newest, count = self._counted.get(kind, (-inf, 0))
         if t < newest:
             self.count(f"detection of one more {kind} is older than those before it")
