@@ -9,8 +9,9 @@ squared distances are least together. By default (``name``) things are what they
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
+from functools import lru_cache
 from itertools import count
 from typing import TypeAlias
 
@@ -24,8 +25,11 @@ MOST = 1_000  # names that are kept
 
 Spot: TypeAlias = tuple[float, float, float]
 """When something was seen last, and where: seconds, x and y in metres."""
+Known: TypeAlias = dict[str, dict[str, Spot]]
+"""By kind and name where things were."""
 
 
+@lru_cache(maxsize=4 * MOST)
 def kind_of(name: str) -> str:
     """The name without its number."""
     found = NUMBERED.fullmatch(name)
@@ -53,36 +57,38 @@ class Associator:
 
     def reset(self) -> None:
         """Forget everything that was seen."""
-        self._agents: dict[str, Spot] = {}
-        self._objects: dict[str, Spot] = {}
+        self._agents: Known = {}
+        self._objects: Known = {}
+        self._said: dict[str, str] = {}  # what a thing that is held and not in view was called last
 
     def update(self, world: WorldState) -> WorldState:
         """The same under the names by which things were known."""
         agents = self._named(world.t, world.agents, self._agents)
         objects = self._named(world.t, world.objects, self._objects)
-        if all(name == known for names in (agents, objects) for name, known in names.items()):
-            return world
+        self._said = {**self._said, **objects} if len(self._said) < MOST else objects
         seen = {}
         for name, agent in world.agents.items():
-            held = agent.holding if agent.holding is None else objects.get(agent.holding, agent.holding)
+            held = agent.holding if agent.holding is None else self._said.get(agent.holding, agent.holding)
             seen[agents[name]] = agent if held == agent.holding else replace(agent, holding=held)
         return WorldState(world.t, seen, {objects[name]: thing for name, thing in world.objects.items()})
 
-    def _named(self, t: float, seen: Mapping[str, AgentState | ObjectState], known: dict[str, Spot]) -> dict[str, str]:
+    def _named(self, t: float, seen: Mapping[str, AgentState | ObjectState], known: Known) -> dict[str, str]:
         """By its name in the state the name by which each was known; they are seen there now."""
         kinds: dict[str, list[str]] = {}
         for name in seen:
             kinds.setdefault(kind_of(name), []).append(name)
         found: dict[str, str] = {}
         for kind, names in kinds.items():
-            were = {name: spot for name, spot in known.items() if kind_of(name) == kind}
+            were = known.setdefault(kind, {}) if kind in known or len(known) < MOST else {}
             costs = {(a, b): cost for a in names for b in were if (cost := _cost(t, seen[a], were[b])) is not None}
-            same = matched(names, costs)
+            same = matched(costs)
+            taken = set(same.values())
             for name in names:
-                found[name] = same.get(name) or self._new(name, kind, {*same.values(), *found.values()}, known)
-        for name, as_known in found.items():
-            if as_known in known or len(known) < MOST:
-                known[as_known] = t, seen[name].x, seen[name].y
+                found[name] = as_known = same.get(name) or self._new(name, kind, taken, were)
+                taken.add(as_known)
+            for name in names:
+                if found[name] in were or len(were) < MOST:
+                    were[found[name]] = t, seen[name].x, seen[name].y
         return found
 
     def _new(self, name: str, kind: str, taken: Collection[str], known: Mapping[str, Spot]) -> str:
@@ -94,18 +100,16 @@ class Associator:
         return next(fresh for n in count(1) if (fresh := f"{kind}_{n}") not in taken and fresh not in known)
 
 
-def matched(names: Iterable[str], costs: Mapping[tuple[str, str], float]) -> dict[str, str]:
+def matched(costs: Mapping[tuple[str, str], float]) -> dict[str, str]:
     """As many pairs as can be, each name and each known one in one of them, of the least cost together.
 
     Args:
-        names: what is seen.
         costs: of a name and a known one that may be the same; others are not.
     """
     nearest: dict[str, str] = {}
-    for name in names:
-        ways = [(cost, known) for (seen, known), cost in costs.items() if seen == name]
-        if ways:
-            nearest[name] = min(ways)[1]
+    for (name, known), cost in costs.items():
+        if name not in nearest or cost < costs[name, nearest[name]]:
+            nearest[name] = known
     if len(set(nearest.values())) == len(nearest):  # each has its own: as nearly always
         return nearest
     import networkx as nx  # only where things are in each other's way

@@ -92,6 +92,14 @@ def test_what_is_held_is_called_as_it_was_known():
     assert state.agents["human"].holding == "cup_1"
 
 
+def test_what_is_held_out_of_view_is_what_its_number_meant_last():
+    tracks = tracker()
+    tracks.steps(world(0.0, cup_1=(0.0, 0.0)))
+    tracks.steps(world(0.5, cup_7=(0.0, 0.0)))
+    (state,) = tracks.steps(world(1.0, {"human": AgentState(0.0, 0.0, 0.0, "cup_7")}))
+    assert state.agents["human"].holding == "cup_1"
+
+
 def test_people_whose_numbers_change_stay_who_they_are():
     tracks = tracker()
     for n in range(6):
@@ -118,7 +126,7 @@ def test_pairs_are_as_many_as_can_be_and_of_the_least_cost(costs):
     from itertools import permutations
 
     names = sorted({name for name, _ in costs})
-    found = matched(names, costs)
+    found = matched(costs)
     ways = [
         {n: k for n, k in zip(names, chosen) if (n, k) in costs} for chosen in permutations([*"xyz", 1, 2, 3], len(names))
     ]
