@@ -44,7 +44,8 @@ def lines(found: list[dict[str, Any]], limit: float) -> Iterator[str]:
     yield f"broken off          {len(found) - len(whole):6d}"
     for name in ("right", "helped", "help_ended"):
         yield f"{name.replace('_', ' '):<20}{sum(row[name] for row in whole):6d}"
-    yield f"wrong interventions {sum(len(row['wrong_interventions']) for row in whole):6d}"
+    wrong = [len(row["wrong_interventions"]) for row in whole if row["wrong_interventions"]]
+    yield f"wrong interventions {sum(wrong):6d} in {len(wrong)} trials"
     if nearest is not None:
         speed = nearest["speed_there"]
         yield f"least distance      {nearest['least_distance']:6.3f} m at {speed:.2f} m/s, limit {limit:g} m"
