@@ -50,7 +50,7 @@ def test_a_row_that_cannot_be_worked_on_is_kept_with_its_mistake(alone: list[dic
 
 
 def test_all_rows_have_the_same_columns_but_for_what_they_bring(alone: list[dict]) -> None:
-    assert len({tuple(set(row) - {"id", "action"}) for row in alone}) == 1
+    assert len({frozenset(row) - {"id", "action"} for row in alone}) == 1
 
 
 def test_two_processes_give_the_same_table(alone: list[dict]) -> None:
