@@ -33,7 +33,7 @@ class Space:
     ``pace`` is the share of its speed at which the robot may move: 1 while nobody is within ``slow_distance``, less the
     nearer somebody is, that of ``slow_speed`` just outside ``stop_distance``, and 0 within. ``least`` is the least gap
     while it moved, ``speed`` its speed then (m/s, of base or fingertips, whichever was faster); infinite and 0 while it
-    never moved. Who pushes it does not make it move: what it does once it was told to stand for so long that it stands.
+    never moved.
     """
 
     def __init__(self, physics: Physics) -> None:
@@ -46,7 +46,6 @@ class Space:
         self.pace, self.gap = 1.0, math.inf
         self.least, self.speed = math.inf, 0.0
         self._dt = scene.sim.control
-        self._stands = 0.0  # seconds for which it has been told to stand
         self._before: dict[str, tuple[Point, Spot]] = {}  # where each person's body and hand were a control step ago
         self._own: tuple[Point, Spot] | None = None  # the same of the robot's base and fingertips
 
@@ -60,10 +59,9 @@ class Space:
             self.gap, soon = min(self.gap, gap), min(soon, then)
         own = self._own or (base, tool)
         speed = max(math.dist(base, own[0]), math.dist(tool, own[1])) / self._dt
-        if speed > MOVING and self.gap < self.least and self._stands < REACTION:
+        if speed > MOVING and self.gap < self.least:
             self.least, self.speed = self.gap, speed
         self.pace = self._pace(soon - SPARE - BRAKING * speed)
-        self._stands = 0.0 if self.pace > 0.0 else self._stands + self._dt
         self._own = base, tool
 
     def _gap(self, name: str, base: Point, tool: Spot) -> tuple[float, float]:

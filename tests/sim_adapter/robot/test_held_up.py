@@ -72,16 +72,3 @@ def test_an_arm_that_was_sent_out_of_reach_is_folded_all_the_same():
     robot.queue.current, robot._skill = put("glass", "sink"), robot.hand.back_off("glass")
     simulation.advance(8.0)
     assert robot.failed == [] and math.dist(robot.arm.tool, HOME) < 0.01
-
-
-@pytest.mark.parametrize(("stands", "counts"), [(0.1, True), (1.0, False)])
-def test_a_robot_that_is_pushed_moves_only_while_it_may_still_be_rolling(stands, counts):
-    """It was told to stand, for so many seconds, because somebody is within its limit; then they push it."""
-    x, y, _ = Simulation(kitchen_scene(), seed=0, start=(1.0, 0.0)).robot.base.pose
-    beside = Simulation(kitchen_scene(), seed=0, start=(x + 0.55, y))
-    space, physics = beside.robot.space, beside.physics
-    beside.advance(stands)
-    assert space.pace == 0.0
-    physics.set_joint("tiago:x", physics.joint("tiago:x") - 0.02)
-    beside.advance(0.04)
-    assert math.isfinite(space.least) == counts

@@ -52,7 +52,7 @@ class Sightings:
     def update(self, world: WorldState) -> tuple[WorldState, list[str]]:
         """The state without what cannot be, and what there is to say about it."""
         told: list[str] = []
-        if self._associator is not None:
+        if self._associator is not None:  # as minds do: else each new number would be one more unknown name
             world = self._associator.update(world)
         if not world.objects.keys().isdisjoint(world.agents):
             world = self._without_doubles(world, told)
